@@ -6,7 +6,7 @@ find_package(glm REQUIRED)            # libglm-dev
 find_package(pugixml REQUIRED)        # libpugixml-dev
 find_package(nlohmann_json REQUIRED)  # nlohmann-json3-dev
 find_package(CLI11 REQUIRED)          # libcli11-dev
-find_package(OpenEXR REQUIRED)        # libopenexr-dev
+find_package(OpenEXR REQUIRED QUIET)  # libopenexr-dev (quiet: it notes the absence of its Python module)
 find_package(PNG REQUIRED)            # libpng-dev
 find_package(ZLIB REQUIRED)           # zlib1g-dev
 find_package(LibLZMA REQUIRED)        # liblzma-dev

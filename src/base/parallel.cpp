@@ -15,8 +15,8 @@ unsigned workerCount() {
   static const unsigned count = [] {
     cpu_set_t set;
     // The affinity mask, not the machine's size: batch systems lend a part of a node.
-    if (sched_getaffinity(0, sizeof set, &set) == 0) return std::max(1, CPU_COUNT(&set));
-    return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    if (sched_getaffinity(0, sizeof set, &set) == 0) return static_cast<unsigned>(std::max(1, CPU_COUNT(&set)));
+    return std::max(1u, std::thread::hardware_concurrency());
   }();
   return count;
 }
