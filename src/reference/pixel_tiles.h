@@ -1,0 +1,62 @@
+// Which cells may cover which part of the picture.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/tet_mesh.h"
+#include "view/camera.h"
+
+namespace tetralux::reference {
+
+// Pixels from low to high, both included; empty when low > high.
+struct PixelBox {
+  std::int32_t lowX = 0, lowY = 0, highX = -1, highY = -1;
+
+  bool empty() const { return lowX > highX || lowY > highY; }
+};
+
+// Boxes of pixels whose rays may meet a cell, in front of the eye. Never too small; too large only by rounding and
+// because it is a box.
+class CellFootprint {
+ public:
+  CellFootprint(const Camera& camera, ImageSize size);
+  PixelBox operator()(const std::array<glm::dvec3, 4>& vertices) const;
+
+ private:
+  glm::dmat3 rotation_;
+  glm::dvec3 eye_;
+  double scale_;
+  ImageSize size_;
+  bool perspective_;
+};
+
+// Square tiles of the image, each with the list of cells whose footprint reaches a wanted pixel's tile.
+class PixelTiles {
+ public:
+  static constexpr std::int32_t kSide = 16;  // pixels
+
+  //   wanted   one flag per tile, row by row: tiles that hold no wanted pixel get no cells; empty: all are wanted
+  PixelTiles(const TetMesh& mesh, const CellFootprint& footprint, ImageSize size, const std::vector<bool>& wanted);
+
+  std::uint32_t columns() const { return columns_; }
+  std::uint32_t rows() const { return rows_; }
+  static std::uint32_t columnsOf(ImageSize size) { return (size.width + kSide - 1) / kSide; }
+  static std::uint32_t rowsOf(ImageSize size) { return (size.height + kSide - 1) / kSide; }
+
+  // Cells of a tile, ascending.
+  std::span<const std::uint32_t> cells(std::uint32_t tile) const;
+
+ private:
+  std::uint32_t columns_;
+  std::uint32_t rows_;
+  std::vector<std::uint64_t> starts_;  // tiles + 1
+  std::vector<std::uint32_t> cells_;
+};
+
+// The four corners of a cell, world.
+std::array<glm::dvec3, 4> cellVertices(const TetMesh& mesh, size_t cell);
+
+}  // namespace tetralux::reference

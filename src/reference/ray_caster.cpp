@@ -1,0 +1,182 @@
+#include "reference/ray_caster.h"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <tuple>
+
+#include "base/check.h"
+#include "base/parallel.h"
+#include "base/progress.h"
+#include "reference/cell_ray.h"
+#include "reference/pixel_tiles.h"
+#include "reference/segment_integral.h"
+
+namespace tetralux::reference {
+namespace {
+
+// A wanted pixel: where it is and which element of the result it fills.
+struct Target {
+  PixelPosition position;
+  size_t result = 0;
+};
+
+struct RaySegment {
+  CellSegment segment;
+  std::uint32_t cell;
+
+  double middle() const { return 0.5 * (segment.front + segment.back); }
+};
+
+ReferencePixel composite(std::vector<RaySegment>& segments, const TransferFunction& transfer, double lengthPerDepth) {
+  std::sort(segments.begin(), segments.end(), [](const RaySegment& a, const RaySegment& b) {
+    return a.middle() != b.middle() ? a.middle() < b.middle() : a.cell < b.cell;
+  });
+  ReferencePixel pixel;
+  pixel.layers = static_cast<std::uint32_t>(segments.size());
+  double transmittance = 1.0;
+  for (const RaySegment& s : segments) {
+    const SegmentOptics optics = integrateSegment(transfer, s.segment.sFront, s.segment.sBack,
+                                                  (s.segment.back - s.segment.front) * lengthPerDepth);
+    pixel.light += transmittance * optics.light;
+    pixel.alpha += (1.0 - pixel.alpha) * optics.alpha;
+    transmittance *= 1.0 - optics.alpha;
+  }
+  return pixel;
+}
+
+// Casts the rays of one tile's targets, which are sorted by row.
+class TileCaster {
+ public:
+  TileCaster(const ReferenceScene& scene, const CellFootprint& footprint) : scene_(scene), footprint_(footprint) {}
+
+  void cast(std::span<const Target> targets, std::span<const std::uint32_t> cells, std::vector<ReferencePixel>& result) {
+    rays_.clear();
+    segments_.resize(std::max(segments_.size(), targets.size()));
+    for (size_t i = 0; i < targets.size(); i++) {
+      rays_.push_back(scene_.camera.pixelRay(scene_.size, targets[i].position.x, targets[i].position.y));
+      segments_[i].clear();
+    }
+    for (const std::uint32_t cell : cells) collect(cell, targets);
+    for (size_t i = 0; i < targets.size(); i++)
+      result[targets[i].result] = composite(segments_[i], scene_.transfer, rays_[i].lengthPerDepth);
+  }
+
+ private:
+  void collect(std::uint32_t cell, std::span<const Target> targets) {
+    const auto vertices = cellVertices(scene_.mesh, cell);
+    const PixelBox box = footprint_(vertices);
+    if (box.empty()) return;
+    const CellGeometry geometry(vertices, cellScalars(cell));
+    if (geometry.empty()) return;
+    const auto rowOf = [](const Target& t) { return static_cast<std::int32_t>(t.position.y); };
+    auto target = std::partition_point(targets.begin(), targets.end(),
+                                       [&](const Target& t) { return rowOf(t) < box.lowY; });
+    for (; target != targets.end() && rowOf(*target) <= box.highY; ++target) {
+      const auto x = static_cast<std::int32_t>(target->position.x);
+      if (x < box.lowX || x > box.highX) continue;
+      const size_t i = static_cast<size_t>(target - targets.begin());
+      CellSegment segment;
+      if (geometry.intersect(rays_[i], segment)) segments_[i].push_back({segment, cell});
+    }
+  }
+
+  std::array<double, 4> cellScalars(std::uint32_t cell) const {
+    const std::vector<double>& values = scene_.field.values;
+    if (scene_.field.association == FieldAssociation::Cell) {
+      std::array<double, 4> same;
+      same.fill(values[cell]);
+      return same;
+    }
+    const CellVertices& v = scene_.mesh.cells[cell];
+    return {values[v[0]], values[v[1]], values[v[2]], values[v[3]]};
+  }
+
+  const ReferenceScene& scene_;
+  const CellFootprint& footprint_;
+  std::vector<Ray> rays_;
+  std::vector<std::vector<RaySegment>> segments_;
+};
+
+// The targets of a tile, sorted by row; the span may refer to `storage`.
+using TileTargets = std::function<std::span<const Target>(std::uint32_t tile, std::vector<Target>& storage)>;
+
+//   wanted   tiles that hold a target; empty: all
+void castTiles(const ReferenceScene& scene, const std::vector<bool>& wanted, const TileTargets& targetsOf,
+               std::vector<ReferencePixel>& result) {
+  const CellFootprint footprint(scene.camera, scene.size);
+  const PixelTiles tiles(scene.mesh, footprint, scene.size, wanted);
+  const size_t tileCount = static_cast<size_t>(tiles.columns()) * tiles.rows();
+  std::vector<TileCaster> casters(workerCount(), TileCaster(scene, footprint));
+  std::vector<std::vector<Target>> storages(workerCount());
+  Progress progress("reference", tileCount);
+  parallelFor(tileCount, 1, [&](size_t begin, size_t end, unsigned worker) {
+    for (size_t i = begin; i < end; i++) {
+      const auto tile = static_cast<std::uint32_t>(i);
+      if (wanted.empty() || wanted[tile])
+        casters[worker].cast(targetsOf(tile, storages[worker]), tiles.cells(tile), result);
+      progress.advance();
+    }
+  });
+}
+
+constexpr auto kSide = static_cast<std::uint32_t>(PixelTiles::kSide);
+
+}  // namespace
+
+std::vector<ReferencePixel> renderPixels(const ReferenceScene& scene) {
+  const ImageSize size = scene.size;
+  const std::uint32_t columns = PixelTiles::columnsOf(size);
+  std::vector<ReferencePixel> result(static_cast<size_t>(size.width) * size.height);
+  castTiles(
+      scene, {},
+      [&](std::uint32_t tile, std::vector<Target>& storage) {
+        const std::uint32_t x0 = tile % columns * kSide;
+        const std::uint32_t y0 = tile / columns * kSide;
+        storage.clear();
+        for (std::uint32_t y = y0; y < std::min(y0 + kSide, size.height); y++) {
+          for (std::uint32_t x = x0; x < std::min(x0 + kSide, size.width); x++)
+            storage.push_back({{x, y}, static_cast<size_t>(y) * size.width + x});
+        }
+        return std::span<const Target>(storage);
+      },
+      result);
+  return result;
+}
+
+std::vector<ReferencePixel> renderPixels(const ReferenceScene& scene, std::span<const PixelPosition> positions) {
+  const std::uint32_t columns = PixelTiles::columnsOf(scene.size);
+  const auto tileOf = [&](const PixelPosition& p) { return (p.y / kSide) * columns + p.x / kSide; };
+  std::vector<Target> targets(positions.size());
+  std::vector<size_t> starts(static_cast<size_t>(columns) * PixelTiles::rowsOf(scene.size) + 1, 0);
+  std::vector<bool> wanted(starts.size() - 1, false);
+  for (size_t i = 0; i < positions.size(); i++) {
+    CHECK_LT(positions[i].x, scene.size.width);
+    CHECK_LT(positions[i].y, scene.size.height);
+    targets[i] = {positions[i], i};
+    starts[tileOf(positions[i]) + 1]++;
+    wanted[tileOf(positions[i])] = true;
+  }
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  std::sort(targets.begin(), targets.end(), [&](const Target& a, const Target& b) {
+    const auto key = [&](const Target& t) { return std::tuple(tileOf(t.position), t.position.y, t.position.x, t.result); };
+    return key(a) < key(b);
+  });
+  std::vector<ReferencePixel> result(positions.size());
+  castTiles(
+      scene, wanted,
+      [&](std::uint32_t tile, std::vector<Target>&) {
+        return std::span<const Target>(targets).subspan(starts[tile], starts[tile + 1] - starts[tile]);
+      },
+      result);
+  return result;
+}
+
+Image toImage(const std::vector<ReferencePixel>& pixels, ImageSize size) {
+  CHECK_EQ(pixels.size(), static_cast<size_t>(size.width) * size.height);
+  Image image(size.width, size.height);
+  for (size_t i = 0; i < pixels.size(); i++) image.pixels[i] = glm::vec4(glm::dvec4(pixels[i].light, pixels[i].alpha));
+  return image;
+}
+
+}  // namespace tetralux::reference
