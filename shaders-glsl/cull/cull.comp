@@ -1,0 +1,101 @@
+// Which cells can show, and how far away they are.
+//
+// One invocation per cell: its sort key (farthest first), or KEY_CULLED when it is outside the picture, holds no pixel
+// centre, or has no extinction anywhere in its scalar range.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_buffer_reference : require
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_KHR_shader_subgroup_ballot : require
+
+#include "shared/counters.h"
+#include "shared/frame_view.h"
+#include "shared/limits.h"
+#include "shared/near_cells.h"
+#include "shared/spec_ids.h"
+
+layout(local_size_x = 64) in;
+
+#define MESH_CELLS 1
+#define MESH_VERTICES 2
+#define MESH_CELL_SCALARS 3
+#include "include/dispatch.glsl"
+#include "include/mesh_access.glsl"
+#include "include/view_space.glsl"
+
+layout(binding = 0, scalar) uniform FrameViewBlock { FrameView view; };
+layout(binding = 4) uniform samplerBuffer supportIntervals;  // xy: scalars between which there is extinction
+layout(binding = 5, scalar) writeonly buffer Keys { uint keys[]; };
+layout(binding = 6, scalar) buffer Counters { FrameCounters counters; };
+
+layout(buffer_reference, scalar, buffer_reference_align = 4) writeonly buffer KeysAt { uint data[]; };
+layout(push_constant, scalar) uniform Push {
+  MeshAddresses mesh;
+  KeysAt keysAt;
+};
+
+const uint kVisible = 0;
+const uint kOutside = 1;
+const uint kNoSample = 2;
+const uint kTransparent = 3;
+
+// Rasterisers snap vertices to 1/256 pixel; a cell this close to a pixel's centre may still be drawn there.
+const float kSampleMargin = 1.0 / 128.0;
+
+bool hasExtinction(vec4 scalar) {
+  const float low = min(min(scalar.x, scalar.y), min(scalar.z, scalar.w));
+  const float high = max(max(scalar.x, scalar.y), max(scalar.z, scalar.w));
+  bool found = false;
+  for (uint i = 0; i < view.supportCount; i++) {
+    const vec2 interval = texelFetch(supportIntervals, int(i)).xy;
+    found = found || (low < interval.y && high > interval.x);
+  }
+  return found;
+}
+
+uint visibility(ScreenBox box) {
+  if (any(greaterThan(box.low, view.halfSize)) || any(lessThan(box.high, -view.halfSize))) return kOutside;
+  const vec2 first = max(ceil(box.low + view.halfSize - (0.5 + kSampleMargin)), vec2(0.0));
+  const vec2 last = min(floor(box.high + view.halfSize - (0.5 - kSampleMargin)), 2.0 * view.halfSize - 1.0);
+  return any(greaterThan(first, last)) ? kNoSample : kVisible;
+}
+
+// Distance of the centroid from the eye (less |eye|, so that digits are kept when the eye is far away) or depth.
+float centroidDistance(vec3 position[4]) {
+  const vec3 middle = 0.25 * (position[0] + position[1] + position[2] + position[3]);
+  if (!kPerspective) return dot(view.viewFromMesh[2].xyz, middle) + view.viewFromMesh[2].w;
+  const float distance = length(middle - view.eyeMesh.xyz);
+  return dot(middle, middle - 2.0 * view.eyeMesh.xyz) / (distance + view.eyeMesh.w);
+}
+
+void main() {
+  const uint cellIndex = linearIndex();
+  if (cellIndex >= view.cellCount) return;
+  const Cell cell = loadCell(mesh, cellIndex);
+  vec3 position[4];
+  for (int i = 0; i < 4; i++) position[i] = viewPosition(view, cell.position[i]);
+  const vec4 depth = vec4(position[0].z, position[1].z, position[2].z, position[3].z);
+
+  uint verdict = kOutside;
+  if (any(greaterThan(depth, vec4(0.0))))
+    verdict = isNearCell(depth) ? visibility(nearCellBox(view, position)) : visibility(pointsBox(view, position));
+  if (verdict == kVisible && !hasExtinction(cell.scalar)) verdict = kTransparent;
+
+  const float largestKey = float((1u << view.keyBits) - 1u);
+  const float share = clamp((centroidDistance(cell.position) - view.keyLow) * view.keyPerDistance, 0.0, 1.0);
+  const uint key = verdict == kVisible ? uint(largestKey - share * largestKey) : KEY_CULLED;
+  if (kWideAddressing)
+    keysAt.data[cellIndex] = key;
+  else
+    keys[cellIndex] = key;
+
+  // One addition per subgroup and count.
+  const uint outside = subgroupBallotBitCount(subgroupBallot(verdict == kOutside));
+  const uint noSample = subgroupBallotBitCount(subgroupBallot(verdict == kNoSample));
+  const uint transparent = subgroupBallotBitCount(subgroupBallot(verdict == kTransparent));
+  if (subgroupElect()) {
+    if (outside > 0) atomicAdd(counters.outside, outside);
+    if (noSample > 0) atomicAdd(counters.noSample, noSample);
+    if (transparent > 0) atomicAdd(counters.transparent, transparent);
+  }
+}

@@ -1,0 +1,97 @@
+// Exact integration of one ray segment for a piecewise linear transfer function (volume/optical_model.h).
+//
+// The scalar is linear along the segment, so extinction and luminance are linear between the places where the scalar
+// meets a control point. The segment is walked from the front, a part at a time; a part ends at the next control point
+// or where its optical depth would exceed kLargestPartDepth, so that one polynomial is accurate for every part and no
+// special function is needed. What lies behind an opacity of kOpaque adds less than a rounding error.
+// This is also Moreland and Angel's (2004, section 3.2) adaptive sampling: a sample at every control point.
+//
+// Before including: TRANSFER_PIECES and TRANSFER_PIECE_BINS are the binding numbers.
+
+// Piece i is texels 3i to 3i+2:
+//   x scalar at its low end, y at its high end, z extinction at the low end (1/mesh unit), w its slope
+//   xyz luminance at the low end
+//   xyz its slope
+// End pieces are constant and reach to -1e30 and 1e30.
+layout(binding = TRANSFER_PIECES) uniform samplerBuffer transferPieces;
+// Bin b covers scalars from -0.5 + b/TRANSFER_BINS to the next; texel 2b: the piece at its low end, 2b+1: at its high end.
+layout(binding = TRANSFER_PIECE_BINS) uniform usamplerBuffer transferPieceBins;
+
+const float kLargestPartDepth = 1.0;
+const float kOpaque = 1.0 - 1.1e-7;  // 1 - exp(-16)
+
+// (1 - exp(-m)) / m for 0 <= m <= 1: Taylor series, first term left out m^9/10! < 2.8e-7.
+float relativeOpacity(float m) {
+  return 1.0 - m * (1.0 / 2.0 - m * (1.0 / 6.0 - m * (1.0 / 24.0 - m * (1.0 / 120.0 - m * (1.0 / 720.0 -
+         m * (1.0 / 5040.0 - m * (1.0 / 40320.0 - m * (1.0 / 362880.0))))))));
+}
+
+// V = Psi - zeta for optical depths a (back) and b (front) with (a + b)/2 <= 1: polynomial of degree 5 fitted to the exact
+// values, relative error 2.7e-6.
+float emissionMoment(float a, float b) {
+  const float p1 = 0.33333237 + a * (-0.099976953 + a * (0.017765454 + a * (-0.0021834529 + a * 0.00015626764)));
+  const float p2 = 0.16666578 + a * (-0.17495593 + a * (0.050328199 + a * (-0.0084558776 + a * 0.00076457759)));
+  const float p3 = -0.058313934 + a * (0.044986556 + a * (-0.012029666 + a * 0.0014810083));
+  const float p4 = 0.011236086 + a * (-0.0072663196 + a * 0.0014069414);
+  const float p5 = -0.0014452079 + a * 0.00064137307;
+  return a * p1 + b * (p2 + b * (p3 + b * (p4 + b * (p5 + b * 0.00010493288))));
+}
+
+// Premultiplied light and opacity of a segment.
+//   front, back   normalised scalars at its ends
+//   thickness     length along the ray, mesh units, >= 0
+vec4 integrateSegment(float front, float back, float thickness) {
+  const bool rising = back >= front;
+  const float rise = back - front;
+  const float sharePerScalar = rise == 0.0 ? 0.0 : 1.0 / rise;
+  const int bin = clamp(int((front + 0.5) * float(TRANSFER_BINS)), 0, int(TRANSFER_BINS) - 1);
+  int piece = int(texelFetch(transferPieceBins, 2 * bin + (rising ? 0 : 1)).x);
+
+  vec3 light = vec3(0.0);
+  float opacity = 0.0;
+  float share = 0.0;  // how much of the segment has been walked, 0 to 1
+  // The exit is at the loop's head on purpose: Mesa 22.3 computes wrong values for lanes that have left a loop by an exit
+  // at its end while others go on.
+  bool done = false;
+  while (!done) {
+    const vec4 range = texelFetch(transferPieces, 3 * piece);
+    const vec4 luminanceLow = texelFetch(transferPieces, 3 * piece + 1);
+    const vec3 luminanceSlope = texelFetch(transferPieces, 3 * piece + 2).xyz;
+
+    // The part of the segment inside the piece; empty where the walk has not reached the piece yet.
+    const bool isLast = rising ? (rise > 0.0 ? range.y >= back : range.y > back) : range.x <= back;
+    const float scalarExit = rising ? range.y : range.x;
+    const float shareExit = isLast ? 1.0 : clamp((scalarExit - front) * sharePerScalar, share, 1.0);
+
+    const float s0 = clamp(front + share * rise, range.x, range.y) - range.x;
+    const float s1 = clamp(front + shareExit * rise, range.x, range.y) - range.x;
+    const float extinction0 = range.z + range.w * s0;
+    float extinction1 = range.z + range.w * s1;
+    float part = (shareExit - share) * thickness;
+
+    // Cut where the optical depth would become too large for the polynomial: the share k of the part at which
+    // e0 k + (e1 - e0) k^2/2, with e = extinction times length, reaches the limit.
+    const float e0 = extinction0 * part;
+    const float root = sqrt(max(0.0, e0 * e0 + 2.0 * kLargestPartDepth * (extinction1 * part - e0)));
+    const float keep = min(1.0, 2.0 * kLargestPartDepth / max(e0 + root, 1e-30));
+    const bool isCut = keep < 1.0;
+    part *= keep;
+    const float s2 = mix(s0, s1, keep);
+    extinction1 = mix(extinction0, extinction1, keep);
+
+    const float depthFront = extinction0 * part;
+    const float depthBack = extinction1 * part;
+    const float depth = 0.5 * (depthFront + depthBack);
+    const float partOpacity = depth * relativeOpacity(depth);
+    const vec3 luminanceFront = luminanceLow.xyz + luminanceSlope * s0;
+    const vec3 luminanceChange = luminanceSlope * (s2 - s0);
+    const float transmittance = 1.0 - opacity;
+    light += transmittance * (luminanceFront * partOpacity + luminanceChange * emissionMoment(depthBack, depthFront));
+    opacity += transmittance * partOpacity;
+
+    share = isCut ? mix(share, shareExit, keep) : shareExit;
+    piece = isCut ? piece : (rising ? piece + 1 : piece - 1);
+    done = (isLast && !isCut) || opacity >= kOpaque;
+  }
+  return vec4(light, opacity);
+}

@@ -1,0 +1,187 @@
+// Projection and classification (Shirley and Tuchman 1990; Marroquim et al. 2008, section 4.1).
+//
+// One invocation per cell of a batch, in drawing order. A cell's projection is a fan of triangles round its thick
+// vertex, the point of the screen where a ray is longest inside the cell. Over each triangle the ray enters through one
+// face and leaves through one other, so what is needed at both ends is linear on the screen: 1/depth and scalar/depth
+// under perspective (Kraus, Qiao and Ebert 2004, section 2.2), depth and scalar otherwise. Every vertex carries
+//
+//     x   q of the front end,  q = 1/depth (perspective) or -depth (orthographic)
+//     y   scalar of the front end, times q under perspective
+//     z   q(front) - q(back) >= 0: a difference of its own, so that thin cells keep their digits
+//     w   scalar of the back end, times q under perspective
+//
+// The signed screen areas A_i of the four faces (face i is opposite vertex i, all four oriented outwards) sum to zero.
+// Faces of one sign face the eye, those of the other face away. With A+ the positive and A- the negative ones,
+//
+//     sum A+_i v_i / sum A+_i    and    sum |A-_i| v_i / sum |A-_i|
+//
+// are the two points of the cell at the thick vertex: they have the same screen position, and they are a vertex and a
+// point of the opposite face (class 1), points of two opposite edges (class 2), or the limits of these when an area is
+// zero (classes 3 and 4). The signs as a ternary number look up the order of the ring (truth_table.h).
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_buffer_reference : require
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_KHR_shader_subgroup_arithmetic : require
+
+#include "shared/batch_arguments.h"
+#include "shared/counters.h"
+#include "shared/frame_view.h"
+#include "shared/limits.h"
+#include "shared/near_cells.h"
+#include "shared/spec_ids.h"
+#include "shared/truth_table.h"
+
+layout(local_size_x = 64) in;
+
+#define MESH_CELLS 1
+#define MESH_VERTICES 2
+#define MESH_CELL_SCALARS 3
+#include "include/dispatch.glsl"
+#include "include/mesh_access.glsl"
+#include "include/view_space.glsl"
+
+layout(binding = 0, scalar) uniform FrameViewBlock { FrameView view; };
+layout(binding = 4) uniform usamplerBuffer truthTable;                          // TRUTH_TABLE_SIZE entries
+layout(binding = 5) uniform usamplerBuffer order;                               // cell indices, farthest first
+layout(binding = 6, scalar) buffer Counters { FrameCounters counters; };
+layout(binding = 7, scalar) writeonly buffer Positions { vec2 positions[]; };   // ndc, FAN_VERTICES per cell
+layout(binding = 8, scalar) writeonly buffer Ends { vec4 ends[]; }; // FAN_VERTICES per cell
+layout(binding = 9, scalar) writeonly buffer CellModes { uint cellModes[]; };   // 1: near cell, 0: fan
+
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer OrderAt { uint data[]; };
+layout(push_constant, scalar) uniform Push {
+  MeshAddresses mesh;
+  OrderAt orderAt;
+  uint firstSlot;  // of this batch
+  uint slotCount;  // in all batches, an upper bound; the sort's result says how many there are
+};
+
+struct Fan {
+  vec2 position[FAN_VERTICES];  // 0: centre, 1 to 4: ring; units of x/z or x
+  vec4 ends[FAN_VERTICES];
+  uint triangles;
+};
+
+float cross2(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
+
+Fan projectCell(Cell cell, vec3 position[4]) {
+  // Differences are taken between vertices before they are turned and projected: rounding is then relative to the cell's
+  // size and not to its distance from the eye. delta(a, b) is the screen vector from vertex a to vertex b.
+  vec2 screen[4];
+  vec4 q;
+  for (int i = 0; i < 4; i++) {
+    q[i] = kPerspective ? 1.0 / position[i].z : -position[i].z;
+    screen[i] = kPerspective ? position[i].xy * q[i] : position[i].xy;
+  }
+  vec3 edge[3];
+  vec2 delta[3];
+  vec4 dq = vec4(0.0);  // q relative to vertex 0
+  for (int i = 0; i < 3; i++) {
+    edge[i] = viewDirection(view, cell.position[i + 1] - cell.position[0]);
+    delta[i] = kPerspective ? (edge[i].xy - screen[0] * edge[i].z) * q[i + 1] : edge[i].xy;
+    dq[i + 1] = kPerspective ? -edge[i].z * q[0] * q[i + 1] : -edge[i].z;
+  }
+  vec2 delta1[2];
+  for (int i = 0; i < 2; i++) {
+    const vec3 e = viewDirection(view, cell.position[i + 2] - cell.position[1]);
+    delta1[i] = kPerspective ? (e.xy - screen[1] * e.z) * q[i + 2] : e.xy;
+  }
+  const vec4 area = vec4(cross2(delta1[0], delta1[1]), -cross2(delta[1], delta[2]), cross2(delta[0], delta[2]),
+                         -cross2(delta[0], delta[1]));
+
+  // The two points at the thick vertex.
+  const vec4 positive = max(area, vec4(0.0));
+  const vec4 negative = max(-area, vec4(0.0));
+  const vec4 weightA = positive / max(dot(positive, vec4(1.0)), 1e-37);
+  const vec4 weightB = negative / max(dot(negative, vec4(1.0)), 1e-37);
+  const vec4 sq = kPerspective ? cell.scalar * q : cell.scalar;
+  const float dqA = dot(weightA, dq);
+  const float dqB = dot(weightB, dq);
+  const bool isFrontA = dqA >= dqB;
+  const vec4 weightFront = isFrontA ? weightA : weightB;
+  const vec4 weightBack = isFrontA ? weightB : weightA;
+
+  const uvec4 ternary = uvec4(ivec4(sign(area)) + 1);
+  const uint entry =
+      texelFetch(truthTable, int(ternary.x * 27u + ternary.y * 9u + ternary.z * 3u + ternary.w)).x;
+  Fan fan;
+  fan.triangles = truthTriangles(entry);
+  const uint centreVertex = truthCentre(entry);
+  fan.position[0] = centreVertex < 4u
+                        ? screen[centreVertex]
+                        : screen[0] * weightA.x + screen[1] * weightA.y + screen[2] * weightA.z + screen[3] * weightA.w;
+  fan.ends[0] = vec4(dot(weightFront, q), dot(weightFront, sq), abs(dqA - dqB), dot(weightBack, sq));
+  for (uint i = 0; i < 4u; i++) {
+    const uint vertex = truthRing(entry, i);
+    fan.position[i + 1u] = screen[vertex];
+    fan.ends[i + 1u] = vec4(q[vertex], sq[vertex], 0.0, sq[vertex]);
+  }
+  if (fan.triangles == 0u) {  // no area
+    for (int i = 0; i < FAN_VERTICES; i++) fan.position[i] = vec2(0.0);
+  }
+  return fan;
+}
+
+// A near cell: a rectangle that holds what can be seen of it; the ends are its faces' planes (inside is positive,
+// view space) and its scalars, read by the fragment shader.
+Fan nearCell(Cell cell, vec3 position[4]) {
+  const ScreenBox box = nearCellBox(view, position);
+  // One pixel more than the picture on every side: the rectangle's edges fall on no pixel centre.
+  const vec2 low = max(box.low - 1.0, -view.halfSize - 1.0) / view.pixelsPerUnit;
+  const vec2 high = min(box.high + 1.0, view.halfSize + 1.0) / view.pixelsPerUnit;
+  Fan fan;
+  fan.position[0] = 0.5 * (low + high);
+  fan.position[1] = low;
+  fan.position[2] = vec2(high.x, low.y);
+  fan.position[3] = high;
+  fan.position[4] = vec2(low.x, high.y);
+  fan.triangles = 4u;
+
+  const ivec3 faces[4] = ivec3[4](ivec3(1, 3, 2), ivec3(0, 2, 3), ivec3(0, 3, 1), ivec3(0, 1, 2));
+  for (int i = 0; i < 4; i++) {
+    const ivec3 face = faces[i];
+    const vec3 normal = viewDirection(view, cross(cell.position[face.y] - cell.position[face.x],
+                                                  cell.position[face.z] - cell.position[face.x]));
+    const float towards = dot(normal, viewDirection(view, cell.position[i] - cell.position[face.x]));
+    // The plane's offset from the vertex nearest to the eye, where it cancels least.
+    vec3 nearest = position[face.x];
+    if (dot(position[face.y], position[face.y]) < dot(nearest, nearest)) nearest = position[face.y];
+    if (dot(position[face.z], position[face.z]) < dot(nearest, nearest)) nearest = position[face.z];
+    const float orientation = sign(towards);
+    fan.ends[i] = orientation * vec4(normal, -dot(normal, nearest));
+  }
+  fan.ends[4] = cell.scalar;
+  return fan;
+}
+
+void main() {
+  const uint slot = linearIndex();
+  const uint globalSlot = firstSlot + slot;
+  if (slot >= BATCH_CELLS || globalSlot >= min(counters.drawn, slotCount)) return;
+  const uint cellIndex = kWideAddressing ? orderAt.data[globalSlot] : texelFetch(order, int(globalSlot)).x;
+  const Cell cell = loadCell(mesh, cellIndex);
+  vec3 position[4];
+  for (int i = 0; i < 4; i++) position[i] = viewPosition(view, cell.position[i]);
+
+  const bool isNear = isNearCell(vec4(position[0].z, position[1].z, position[2].z, position[3].z));
+  Fan fan;
+  if (isNear)
+    fan = nearCell(cell, position);
+  else
+    fan = projectCell(cell, position);
+
+  const vec2 ndcPerUnit = view.pixelsPerUnit / view.halfSize;
+  for (uint i = 0; i < FAN_VERTICES; i++) {
+    positions[slot * FAN_VERTICES + i] = fan.position[i] * ndcPerUnit;
+    ends[slot * FAN_VERTICES + i] = fan.ends[i];
+  }
+  if (kNearCells) cellModes[slot] = isNear ? 1u : 0u;
+
+  const uint triangles = subgroupAdd(fan.triangles);
+  const uint nearCells = subgroupAdd(isNear ? 1u : 0u);
+  if (subgroupElect()) {
+    atomicAdd(counters.triangles, triangles);
+    if (nearCells > 0) atomicAdd(counters.nearCells, nearCells);
+  }
+}

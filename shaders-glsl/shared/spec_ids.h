@@ -1,0 +1,11 @@
+// Ids of the specialisation constants. One id means the same in every shader that has it.
+#ifndef TETRALUX_SHARED_SPEC_IDS_H
+#define TETRALUX_SHARED_SPEC_IDS_H
+
+#define SPEC_WIDE_ADDRESSING 0  // bool: buffers beyond a descriptor's range are reached by their address
+#define SPEC_PERSPECTIVE 1      // bool: perspective, else orthographic
+#define SPEC_CELL_FIELD 2       // bool: one scalar per cell, else one per vertex
+#define SPEC_NEAR_CELLS 3       // bool: cells may reach the eye's plane (see project/project.comp)
+#define SPEC_FIRST_DIGIT 4      // bool: first pass of the sort, which drops culled cells and numbers the rest
+
+#endif

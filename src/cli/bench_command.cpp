@@ -1,0 +1,112 @@
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/progress.h"
+#include "cli/commands.h"
+#include "cli/load_scene.h"
+#include "cli/picture_check.h"
+#include "cli/stats_json.h"
+
+namespace tetralux::cli {
+namespace {
+
+class BenchCommand : public Command {
+ public:
+  explicit BenchCommand(CLI::App& app) {
+    app.add_option("scenes", scenes_, "Scenes (.json) or meshes (.vtu, .vtk)")->required()->type_name("SCENE...");
+    app.add_option("--frames", frames_, "Frames timed; the camera turns by one degree a frame (default: 9)")
+        ->check(CLI::Range(1u, 100000u));
+    app.add_option("--warmup", warmup_, "Frames drawn before (default: 2)")->check(CLI::Range(0u, 100000u));
+    app.add_option("--max-rmse", maxRmse_, "No timing of a picture whose RMSE is above this (default: 5e-3)")
+        ->check(CLI::NonNegativeNumber);
+    app.add_option("--check-pixels", checkPixels_, "Pixels compared with the exact answer first (default: 1000)")
+        ->check(CLI::Range(1u, 1000000u));
+    app.add_flag("--json", json_, "Print JSON: one array with an object per scene");
+    app.add_option("--stats", statsFile_, "Write the same array to a file")->type_name("FILE.json");
+    sceneOptions_.add(app);
+    deviceOptions_.add(app);
+    addQuiet(app);
+  }
+
+  int run() override {
+    const gpu::Context context(deviceOptions_.contextOptions());
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    if (!json_) printHeader(context.info());
+    for (const std::string& scene : scenes_) {
+      all.push_back(benchScene(context, scene));
+      if (!json_) printRow(all.back());
+    }
+    if (json_) fmt::print("{}\n", all.dump(1));
+    if (!statsFile_.empty()) writeFile(statsFile_, all.dump(1) + "\n");
+    return 0;
+  }
+
+ private:
+  nlohmann::ordered_json benchScene(const gpu::Context& context, const std::string& path) const {
+    const LoadedScene loaded = loadScene(path, sceneOptions_);
+    render::Renderer renderer(context, loaded.mesh, loaded.field, deviceOptions_.rendererOptions());
+    renderer.setTransferFunction(loaded.scene.transferFunction);
+    render::RenderOptions options;
+    options.target = deviceOptions_.renderTarget();
+    options.timed = true;
+
+    // A wrong picture is not worth a time.
+    const Camera& first = loaded.scene.camera;
+    RunStats run;
+    renderer.draw(first, loaded.scene.size, options);
+    const Image image = renderer.readImage();
+    run.firstFrameMs = millisecondsSinceStart();
+    failOnValidationMessages();
+    const PictureCheck check = checkPicture(loaded, first, image, checkPixels_);
+    if (!(check.rmse <= maxRmse_))
+      fail(ErrorCode::Limit, "{}: RMSE {:.3g} over {} pixels, expected at most {:.3g}: not timed", path, check.rmse,
+           check.pixels, maxRmse_);
+
+    Progress progress("bench " + std::filesystem::path(path).stem().string(), warmup_ + frames_);
+    for (std::uint32_t frame = 0; frame < warmup_ + frames_; frame++) {
+      const double degrees = static_cast<double>(frame) - warmup_;
+      render::FrameStats stats = renderer.draw(first.turned(degrees), loaded.scene.size, options);
+      renderer.readImage(&stats);
+      if (frame >= warmup_) run.frames.push_back(stats);
+      progress.advance();
+    }
+    failOnValidationMessages();
+    nlohmann::ordered_json json = {{"scene", path}};
+    json.update(statsJson(loaded, context.info(), renderer, options.target, run));
+    json["check"] = {{"pixels", check.pixels}, {"rmse", check.rmse}, {"max", check.max}};
+    return json;
+  }
+
+  static void printHeader(const gpu::DeviceInfo& device) {
+    fmt::print("{} ({}), medians in ms\n", device.name, device.driver);
+    fmt::print("{:<24} {:>10} {:>10} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9}\n", "scene", "tets", "drawn", "frame", "cull",
+               "sort", "project", "raster", "readback", "rmse");
+  }
+
+  static void printRow(const nlohmann::ordered_json& j) {
+    const auto& ms = j["ms"];
+    const auto time = [&](const char* name) { return ms[name].get<double>(); };
+    fmt::print("{:<24} {:>10} {:>10} {:>8.2f} {:>8.2f} {:>8.2f} {:>8.2f} {:>8.2f} {:>8.2f} {:>9.2e}\n",
+               std::filesystem::path(j["scene"].get<std::string>()).stem().string(), j["tets"].get<std::uint64_t>(),
+               j["drawn_tets"].get<std::uint64_t>(), time("frame"), time("cull"), time("sort"), time("project"), time("raster"),
+               time("readback"), j["check"]["rmse"].get<double>());
+    std::fflush(stdout);
+  }
+
+  std::vector<std::string> scenes_;
+  std::uint32_t frames_ = 9;
+  std::uint32_t warmup_ = 2;
+  double maxRmse_ = 5e-3;
+  std::uint32_t checkPixels_ = 1000;
+  bool json_ = false;
+  std::string statsFile_;
+  SceneOptions sceneOptions_;
+  DeviceOptions deviceOptions_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> makeBenchCommand(CLI::App& app) { return std::make_unique<BenchCommand>(app); }
+
+}  // namespace tetralux::cli

@@ -1,0 +1,73 @@
+#include "cli/common_options.h"
+
+#include <spdlog/spdlog.h>
+
+#include <charconv>
+
+#include "base/error.h"
+#include "base/progress.h"
+#include "gpu/validation.h"
+#include "scene/scene_file.h"
+#include "scene/transfer_file.h"
+
+namespace tetralux::cli {
+
+void SceneOptions::add(CLI::App& app) {
+  app.add_option("--size", size, "Image size in pixels, WxH (default: the scene's; 1024x768 for a mesh)");
+  app.add_option("--camera", cameraFile, "JSON file with a \"camera\", used instead of the scene's");
+  app.add_option("--field", field, "Point or cell array to draw (default: the scene's; the mesh's first scalar)");
+  std::string presets;
+  for (const std::string& name : transferPresetNames()) presets += (presets.empty() ? "" : ", ") + name;
+  app.add_option("--tf", transfer, "Transfer function: a JSON file, or a preset: " + presets);
+}
+
+void DeviceOptions::add(CLI::App& app) {
+  app.add_option("--device", device, "Vulkan device: index or part of its name (default: the best one)");
+  app.add_option("--target", target, "What cells are blended into (default: rgba32f)")
+      ->check(CLI::IsMember({"rgba32f", "rgba16f"}));
+  app.add_option("--force-path", forcePath, "For tests: take a code path that this device would not choose")
+      ->check(CLI::IsMember({"wide-addressing", "sort-tiles", "sort-chunks"}));
+  app.add_flag("--validate", validate, "Run with Vulkan's validation layers; any message is an error");
+}
+
+render::RendererOptions DeviceOptions::rendererOptions() const {
+  render::RendererOptions options;
+  options.forceWideAddressing = forcePath == "wide-addressing";
+  if (forcePath == "sort-tiles") options.sortVariant = render::SortVariant::Tiles;
+  if (forcePath == "sort-chunks") options.sortVariant = render::SortVariant::Chunks;
+  return options;
+}
+
+render::Target DeviceOptions::renderTarget() const {
+  return target == "rgba16f" ? render::Target::Rgba16f : render::Target::Rgba32f;
+}
+
+void addQuiet(CLI::App& app) {
+  app.add_flag_callback(
+      "--quiet",
+      [] {
+        setProgressEnabled(false);
+        spdlog::set_level(spdlog::level::err);
+      },
+      "No progress and no remarks, errors only");
+}
+
+ImageSize parseSize(const std::string& text) {
+  ImageSize size;
+  const size_t cross = text.find('x');
+  const auto parse = [&](size_t begin, size_t end, std::uint32_t& value) {
+    const auto [stop, error] = std::from_chars(text.data() + begin, text.data() + end, value);
+    return error == std::errc() && stop == text.data() + end && value >= 1 && value <= kLargestImageSide;
+  };
+  if (cross == std::string::npos || !parse(0, cross, size.width) || !parse(cross + 1, text.size(), size.height))
+    fail(ErrorCode::Usage, "--size: found '{}', expected WxH with sides from 1 to {}", text, kLargestImageSide);
+  return size;
+}
+
+void failOnValidationMessages() {
+  const auto messages = gpu::takeValidationMessages();
+  if (!messages.empty())
+    fail(ErrorCode::Device, "{} validation messages, the first: {}", messages.size(), messages.front());
+}
+
+}  // namespace tetralux::cli

@@ -1,0 +1,46 @@
+// Options that several commands have.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+
+#include "gpu/context.h"
+#include "render/renderer.h"
+#include "view/camera.h"
+
+namespace tetralux::cli {
+
+// --size, --camera, --field, --tf: what is drawn.
+struct SceneOptions {
+  std::string size;        // "WxH"
+  std::string cameraFile;
+  std::string field;
+  std::string transfer;    // file or preset
+
+  void add(CLI::App& app);
+};
+
+// --device, --validate, --target: what it is drawn on.
+struct DeviceOptions {
+  std::string device;
+  bool validate = false;
+  std::string target = "rgba32f";
+  std::string forcePath;
+
+  void add(CLI::App& app);
+  gpu::ContextOptions contextOptions() const { return {device, validate}; }
+  render::RendererOptions rendererOptions() const;
+  render::Target renderTarget() const;
+};
+
+// --quiet: no progress, no log lines below errors.
+void addQuiet(CLI::App& app);
+
+// Parses "WxH". Throws Error(Usage).
+ImageSize parseSize(const std::string& text);
+
+// Throws Error(Device) when validation reported anything since the last call.
+void failOnValidationMessages();
+
+}  // namespace tetralux::cli

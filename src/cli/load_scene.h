@@ -1,0 +1,24 @@
+// From the command line's SCENE|MESH to everything that a picture needs.
+#pragma once
+
+#include <string>
+
+#include "cli/common_options.h"
+#include "mesh/tet_mesh.h"
+#include "scene/scene_file.h"
+
+namespace tetralux::cli {
+
+struct LoadedScene {
+  Scene scene;
+  TetMesh mesh;
+  ScalarField field;
+  double loadMs = 0.0;
+};
+
+// `path` is a scene (.json) or a mesh (any other name). For a bare mesh the camera shows it all, the field is its first
+// scalar, and the transfer function is the one of defaultTransfer(). Options replace what the scene says.
+// Throws Error(Input) or Error(Usage).
+LoadedScene loadScene(const std::string& path, const SceneOptions& options);
+
+}  // namespace tetralux::cli

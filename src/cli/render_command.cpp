@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/progress.h"
+#include "cli/commands.h"
+#include "cli/frame_sequence.h"
+#include "cli/load_scene.h"
+#include "cli/stats_json.h"
+#include "cli/write_image.h"
+
+namespace tetralux::cli {
+namespace {
+
+class RenderCommand : public Command {
+ public:
+  explicit RenderCommand(CLI::App& app) {
+    app.add_option("input", input_, "Scene (.json) or mesh (.vtu, .vtk)")->required()->type_name("SCENE|MESH");
+    app.add_option("-o,--output", outputs_,
+                   "Picture to write, .exr (linear) or .png (sRGB); may be repeated; %04d becomes the frame's number "
+                   "(default: the input's name with .png, in this folder)")
+        ->type_name("FILE");
+    app.add_option("--frames", frames_, "Frames of a full turn about the camera's center (default: 1)")
+        ->check(CLI::Range(1u, 1000000u));
+    app.add_option("--stats", statsFile_, "Write statistics as JSON")->type_name("FILE.json");
+    sceneOptions_.add(app);
+    deviceOptions_.add(app);
+    exrOptions_.add(app);
+    addQuiet(app);
+  }
+
+  int run() override {
+    const std::vector<FramePattern> patterns = outputPatterns();
+    ExrOptions exr = exrOptions_.exrOptions();
+    const LoadedScene loaded = loadScene(input_, sceneOptions_);
+    const gpu::Context context(deviceOptions_.contextOptions());
+    render::Renderer renderer(context, loaded.mesh, loaded.field, deviceOptions_.rendererOptions());
+    renderer.setTransferFunction(loaded.scene.transferFunction);
+    addSettings(exr, loaded, context.info());
+
+    render::RenderOptions options;
+    options.target = deviceOptions_.renderTarget();
+    options.timed = !statsFile_.empty();
+    RunStats run;
+    Progress progress("render", frames_);
+    for (std::uint32_t frame = 0; frame < frames_; frame++) {
+      const Camera camera = loaded.scene.camera.turned(360.0 * frame / frames_);
+      render::FrameStats stats = renderer.draw(camera, loaded.scene.size, options);
+      const Image image = renderer.readImage(&stats);
+      failOnValidationMessages();
+      for (const FramePattern& pattern : patterns) writeImage(image, pattern.name(frame), loaded.scene, camera, exr);
+      if (frame == 0) run.firstFrameMs = millisecondsSinceStart();
+      run.frames.push_back(stats);
+      progress.advance();
+    }
+    if (!statsFile_.empty())
+      writeFile(statsFile_, statsJson(loaded, context.info(), renderer, options.target, run).dump(1) + "\n");
+    return 0;
+  }
+
+ private:
+  std::vector<FramePattern> outputPatterns() const {
+    std::vector<std::string> names = outputs_;
+    if (names.empty())
+      names.push_back(std::filesystem::path(input_).stem().string() + (frames_ > 1 ? "_%04d.png" : ".png"));
+    std::vector<FramePattern> patterns;
+    for (const std::string& name : names) {
+      checkImageName(name, /*pngAllowed=*/true);
+      patterns.emplace_back(name);
+      if (frames_ > 1 && !patterns.back().hasNumber())
+        fail(ErrorCode::Usage, "-o: found '{}', expected a place for the frame's number such as %04d with --frames {}", name,
+             frames_);
+    }
+    return patterns;
+  }
+
+  void addSettings(ExrOptions& exr, const LoadedScene& loaded, const gpu::DeviceInfo& device) const {
+    exr.attributes = {{"tetralux.version", versionString()},
+                      {"tetralux.mesh", loaded.scene.meshPath.filename().string()},
+                      {"tetralux.field", loaded.field.name},
+                      {"tetralux.device", device.name},
+                      {"tetralux.driver", device.driver},
+                      {"tetralux.integration", "exact"},
+                      {"tetralux.projection", "pt"},
+                      {"tetralux.order", "radix"},
+                      {"tetralux.target", deviceOptions_.target}};
+  }
+
+  std::string input_;
+  std::vector<std::string> outputs_;
+  std::uint32_t frames_ = 1;
+  std::string statsFile_;
+  SceneOptions sceneOptions_;
+  DeviceOptions deviceOptions_;
+  ExrFormatOptions exrOptions_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> makeRenderCommand(CLI::App& app) { return std::make_unique<RenderCommand>(app); }
+
+}  // namespace tetralux::cli

@@ -1,0 +1,84 @@
+#include "cli/stats_json.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/commands.h"
+
+namespace tetralux::cli {
+namespace {
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const size_t middle = values.size() / 2;
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(middle), values.end());
+  return values[middle];
+}
+
+template <typename Function>
+double medianOf(const std::vector<render::FrameStats>& frames, const Function& value) {
+  std::vector<double> values;
+  for (const render::FrameStats& frame : frames) values.push_back(value(frame));
+  return median(std::move(values));
+}
+
+// A microsecond is more than clocks here can tell.
+double rounded(double milliseconds) { return std::round(milliseconds * 1e3) / 1e3; }
+
+}  // namespace
+
+double medianPassMs(const std::vector<render::FrameStats>& frames, const std::string& pass) {
+  return medianOf(frames, [&](const render::FrameStats& frame) {
+    for (const gpu::PassTime& time : frame.passes) {
+      if (time.name == pass) return time.gpuMs;
+    }
+    return 0.0;
+  });
+}
+
+double medianFrameMs(const std::vector<render::FrameStats>& frames) {
+  return medianOf(frames, [](const render::FrameStats& frame) { return frame.frameMs; });
+}
+
+double medianReadbackMs(const std::vector<render::FrameStats>& frames) {
+  return medianOf(frames, [](const render::FrameStats& frame) { return frame.readbackMs; });
+}
+
+nlohmann::ordered_json statsJson(const LoadedScene& loaded, const gpu::DeviceInfo& device, const render::Renderer& renderer,
+                                 render::Target target, const RunStats& run) {
+  const render::FrameStats& last = run.frames.back();
+  const render::MemoryUse memory = renderer.memoryUse();
+  nlohmann::ordered_json json;
+  json["version"] = versionString();
+  json["device"] = device.name;
+  json["driver"] = device.driver;
+  json["mesh"] = loaded.scene.meshPath.string();
+  json["field"] = loaded.field.name;
+  json["width"] = loaded.scene.size.width;
+  json["height"] = loaded.scene.size.height;
+  json["integration"] = "exact";
+  json["interpolation"] = "perspective";
+  json["projection"] = "pt";
+  json["order"] = "radix";
+  json["target"] = render::targetName(target);
+  json["frames"] = run.frames.size();
+  json["tets"] = loaded.mesh.cellCount();
+  json["points"] = loaded.mesh.pointCount();
+  json["drawn_tets"] = last.drawnCells;
+  json["near_tets"] = last.nearCells;
+  json["triangles"] = last.triangles;
+  json["culled"] = {{"no_sample", last.culledNoSample}, {"transparent", last.culledTransparent}, {"outside", last.culledOutside}};
+  json["order_check"] = nullptr;  // centroid order is not checked
+  json["ms"] = {{"load", rounded(loaded.loadMs)},
+                {"first_frame", rounded(run.firstFrameMs)},
+                {"frame", rounded(medianFrameMs(run.frames))},
+                {"cull", rounded(medianPassMs(run.frames, "cull"))},
+                {"sort", rounded(medianPassMs(run.frames, "sort"))},
+                {"project", rounded(medianPassMs(run.frames, "project"))},
+                {"raster", rounded(medianPassMs(run.frames, "raster"))},
+                {"readback", rounded(medianReadbackMs(run.frames))}};
+  json["bytes"] = {{"mesh", memory.meshBytes}, {"frame", memory.frameBytes}, {"tables", memory.tableBytes}};
+  return json;
+}
+
+}  // namespace tetralux::cli

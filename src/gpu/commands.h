@@ -1,0 +1,130 @@
+// Recording and submitting work.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+
+#include "gpu/buffer.h"
+#include "gpu/image.h"
+#include "gpu/pipeline.h"
+
+namespace tetralux::gpu {
+
+// A way of touching memory: the two halves of a barrier are named by these.
+struct Access {
+  VkPipelineStageFlags2 stages = 0;
+  VkAccessFlags2 access = 0;
+
+  friend Access operator|(const Access& a, const Access& b) { return {a.stages | b.stages, a.access | b.access}; }
+};
+
+namespace access {
+inline constexpr Access kComputeWrite{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_WRITE_BIT};
+inline constexpr Access kComputeRead{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_READ_BIT};
+inline constexpr Access kComputeReadWrite{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                                          VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_SHADER_WRITE_BIT};
+inline constexpr Access kIndirectRead{VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT};
+inline constexpr Access kVertexRead{
+    VK_PIPELINE_STAGE_2_VERTEX_INPUT_BIT | VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
+    VK_ACCESS_2_VERTEX_ATTRIBUTE_READ_BIT | VK_ACCESS_2_INDEX_READ_BIT | VK_ACCESS_2_SHADER_READ_BIT};
+inline constexpr Access kColorWrite{VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+                                    VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT};
+inline constexpr Access kTransferWrite{VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
+inline constexpr Access kTransferRead{VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_READ_BIT};
+inline constexpr Access kHostRead{VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT};
+}  // namespace access
+
+// What a binding is bound to: a buffer (storage or uniform, as the shader declares) or a texel view.
+class Descriptor {
+ public:
+  Descriptor(const Buffer& buffer) : buffer_(&buffer) {}      // NOLINT(google-explicit-constructor)
+  Descriptor(const TexelView& view) : view_(view.get()) {}    // NOLINT(google-explicit-constructor)
+
+ private:
+  friend class CommandBuffer;
+  const Buffer* buffer_ = nullptr;
+  VkBufferView view_ = VK_NULL_HANDLE;
+};
+
+// A primary command buffer, recording from its construction on; submitted at most once. Everything recorded must
+// outlive its execution.
+class CommandBuffer {
+ public:
+  explicit CommandBuffer(const Context& context);
+  ~CommandBuffer();
+  CommandBuffer(const CommandBuffer&) = delete;
+  CommandBuffer& operator=(const CommandBuffer&) = delete;
+
+  VkCommandBuffer get() const { return commands_; }
+
+  // Waits in `to` for all memory writes of `from`.
+  void barrier(const Access& from, const Access& to);
+
+  // Runs at least `threads` invocations; shaders find their index with linearIndex() (include/dispatch.glsl) and
+  // ignore those beyond their count. Descriptors in the order of the bindings; their number and the push constants'
+  // size must be what the shader declares.
+  template <typename Push>
+  void dispatch(const ComputePipeline& pipeline, std::initializer_list<Descriptor> descriptors, const Push& push,
+                std::uint64_t threads) {
+    bind(VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.get(), pipeline.layout(), descriptors, &push, sizeof push);
+    dispatchGroups(pipeline, threads);
+  }
+  // The same with the number of workgroups (VkDispatchIndirectCommand) read from a buffer.
+  template <typename Push>
+  void dispatchIndirect(const ComputePipeline& pipeline, std::initializer_list<Descriptor> descriptors,
+                        const Push& push, const Buffer& arguments, std::uint64_t offsetBytes) {
+    bind(VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.get(), pipeline.layout(), descriptors, &push, sizeof push);
+    vkCmdDispatchIndirect(commands_, arguments.get(), offsetBytes);
+  }
+
+  // Between beginRendering and endRendering: one attachment, cleared to zero or kept.
+  void beginRendering(const AttachmentImage& image, bool clear);
+  void endRendering();
+  template <typename Push>
+  void drawIndexedIndirect(const GraphicsPipeline& pipeline, std::initializer_list<Descriptor> descriptors,
+                           const Push& push, std::initializer_list<const Buffer*> vertexStreams, const Buffer& indices,
+                           const Buffer& arguments, std::uint64_t offsetBytes) {
+    bind(VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.get(), pipeline.layout(), descriptors, &push, sizeof push);
+    bindVertices(vertexStreams, indices);
+    vkCmdDrawIndexedIndirect(commands_, arguments.get(), offsetBytes, 1, 0);
+  }
+
+  // Attachment images are kept in one layout, ready for rendering, after this.
+  void prepareAttachment(const AttachmentImage& image);
+  // Copies a whole attachment to a buffer, tightly packed, row 0 first. The attachment is ready for rendering again.
+  void copyToBuffer(const AttachmentImage& image, const Buffer& buffer);
+  void copy(const Buffer& from, std::uint64_t fromOffset, const Buffer& to, std::uint64_t toOffset, std::uint64_t bytes);
+  void fill(const Buffer& buffer, std::uint32_t value);
+
+  // Ends recording, runs everything and waits for it. Returns the wall time of submission and wait, ms.
+  double submitAndWait();
+
+ private:
+  void bind(VkPipelineBindPoint point, VkPipeline pipeline, const PipelineLayout& layout,
+            std::span<const Descriptor> descriptors, const void* push, size_t pushBytes);
+  void bind(VkPipelineBindPoint point, VkPipeline pipeline, const PipelineLayout& layout,
+            std::initializer_list<Descriptor> descriptors, const void* push, size_t pushBytes) {
+    bind(point, pipeline, layout, std::span(descriptors.begin(), descriptors.size()), push, pushBytes);
+  }
+  void dispatchGroups(const ComputePipeline& pipeline, std::uint64_t threads);
+  void bindVertices(std::initializer_list<const Buffer*> streams, const Buffer& indices);
+  void imageBarrier(const AttachmentImage& image, VkImageLayout from, VkImageLayout to, const Access& before,
+                    const Access& after);
+
+  const Context* context_;
+  VkCommandBuffer commands_ = VK_NULL_HANDLE;
+  DeviceHandle<VkFence> fence_;
+};
+
+// Push constants of a shader that has none.
+struct NoPush {};
+
+// Number of workgroups along x and y for a number of invocations: x is limited to what every device allows.
+struct GroupCount {
+  std::uint32_t x = 0;
+  std::uint32_t y = 0;
+};
+GroupCount groupCount(std::uint64_t threads, std::uint32_t workgroupSize);
+
+}  // namespace tetralux::gpu

@@ -1,0 +1,78 @@
+#include "gpu/recorder.h"
+
+#include <algorithm>
+
+#include "base/check.h"
+
+namespace tetralux::gpu {
+namespace {
+
+constexpr std::uint32_t kLargestPassCount = 2048;
+
+}  // namespace
+
+PassTiming bestTiming(const DeviceInfo& info) { return info.isCpu ? PassTiming::Submits : PassTiming::Timestamps; }
+
+Recorder::Recorder(const Context& context, PassTiming timing)
+    : context_(context), timing_(timing), commands_(std::make_unique<CommandBuffer>(context)) {
+  if (timing_ != PassTiming::Timestamps) return;
+  VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
+  info.queryType = VK_QUERY_TYPE_TIMESTAMP;
+  info.queryCount = 2 * kLargestPassCount;
+  VkQueryPool pool = VK_NULL_HANDLE;
+  VK_CHECK(vkCreateQueryPool(context.device(), &info, nullptr, &pool));
+  queries_ = {context.device(), pool, vkDestroyQueryPool};
+  vkCmdResetQueryPool(commands_->get(), pool, 0, info.queryCount);
+}
+
+CommandBuffer& Recorder::pass(const std::string& name) {
+  endPass();
+  currentPass_ = name;
+  if (timing_ == PassTiming::Timestamps) {
+    CHECK_LT(stampedPasses_.size(), kLargestPassCount);
+    vkCmdWriteTimestamp2(commands_->get(), VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_.get(),
+                         static_cast<std::uint32_t>(2 * stampedPasses_.size()));
+    stampedPasses_.push_back(name);
+  }
+  return *commands_;
+}
+
+void Recorder::endPass() {
+  if (currentPass_.empty()) return;
+  if (timing_ == PassTiming::Timestamps) {
+    vkCmdWriteTimestamp2(commands_->get(), VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_.get(),
+                         static_cast<std::uint32_t>(2 * stampedPasses_.size() - 1));
+  } else if (timing_ == PassTiming::Submits) {
+    addTime(currentPass_, commands_->submitAndWait());
+    commands_ = std::make_unique<CommandBuffer>(context_);
+  }
+  currentPass_.clear();
+}
+
+void Recorder::finish() {
+  endPass();
+  if (timing_ == PassTiming::Submits) {
+    for (const PassTime& time : times_) totalMs_ += time.gpuMs;
+    return;
+  }
+  totalMs_ = commands_->submitAndWait();
+  if (timing_ != PassTiming::Timestamps || stampedPasses_.empty()) return;
+  std::vector<std::uint64_t> ticks(2 * stampedPasses_.size());
+  VK_CHECK(vkGetQueryPoolResults(context_.device(), queries_.get(), 0, static_cast<std::uint32_t>(ticks.size()),
+                                 ticks.size() * sizeof ticks[0], ticks.data(), sizeof ticks[0],
+                                 VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT));
+  const double msPerTick = static_cast<double>(context_.timestampPeriodNs()) * 1e-6;
+  for (size_t i = 0; i < stampedPasses_.size(); i++)
+    addTime(stampedPasses_[i], static_cast<double>(ticks[2 * i + 1] - ticks[2 * i]) * msPerTick);
+  totalMs_ = static_cast<double>(ticks.back() - ticks.front()) * msPerTick;
+}
+
+void Recorder::addTime(const std::string& name, double gpuMs) {
+  const auto found = std::find_if(times_.begin(), times_.end(), [&](const PassTime& t) { return t.name == name; });
+  if (found != times_.end())
+    found->gpuMs += gpuMs;
+  else
+    times_.push_back({name, gpuMs});
+}
+
+}  // namespace tetralux::gpu

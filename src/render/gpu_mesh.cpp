@@ -1,0 +1,62 @@
+#include "render/gpu_mesh.h"
+
+#include <glm/vec4.hpp>
+#include <vector>
+
+#include "base/error.h"
+#include "base/parallel.h"
+
+namespace tetralux::render {
+namespace {
+
+constexpr size_t kGrain = 1 << 16;
+
+gpu::Buffer makeVertexBuffer(const gpu::Context& context, const TetMesh& mesh, const ScalarField& field,
+                             const MeshSpace& space) {
+  std::vector<glm::vec4> vertices(mesh.pointCount());
+  const bool hasScalar = field.association == FieldAssociation::Point;
+  parallelFor(vertices.size(), kGrain, [&](size_t begin, size_t end, unsigned) {
+    for (size_t i = begin; i < end; i++)
+      vertices[i] = glm::vec4(space.position(mesh.point(i)), hasScalar ? space.scalar(field.values[i]) : 0.0f);
+  });
+  return gpu::makeBuffer(context, vertices, "mesh vertices");
+}
+
+gpu::Buffer makeCellScalarBuffer(const gpu::Context& context, const ScalarField& field, const MeshSpace& space) {
+  std::vector<float> scalars(field.association == FieldAssociation::Cell ? field.values.size() : 1, 0.0f);
+  if (field.association == FieldAssociation::Cell) {
+    for (size_t i = 0; i < scalars.size(); i++) scalars[i] = space.scalar(field.values[i]);
+  }
+  return gpu::makeBuffer(context, scalars, "cell scalars");
+}
+
+// Cell indices are 32 bits wide in the sort's values, and one is kept free.
+std::uint32_t checkedCount(size_t count, const char* what) {
+  constexpr size_t kLargest = 0xfffffffe;
+  if (count > kLargest) fail(ErrorCode::Device, "mesh has {} {}, tetralux draws at most {}", count, what, kLargest);
+  return static_cast<std::uint32_t>(count);
+}
+
+}  // namespace
+
+GpuMesh::GpuMesh(const gpu::Context& context, const TetMesh& mesh, const ScalarField& field)
+    : space_(makeMeshSpace(mesh, field)),
+      cellCount_(checkedCount(mesh.cellCount(), "cells")),
+      vertexCount_(checkedCount(mesh.pointCount(), "points")),
+      isCellField_(field.association == FieldAssociation::Cell),
+      vertexBuffer_(makeVertexBuffer(context, mesh, field, space_)),
+      cellBuffer_(gpu::makeBuffer(context, mesh.cells, "mesh cells")),
+      cellScalarBuffer_(makeCellScalarBuffer(context, field, space_)),
+      vertexView_(context, vertexBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT),
+      cellView_(context, cellBuffer_, VK_FORMAT_R32G32B32A32_UINT),
+      cellScalarView_(context, cellScalarBuffer_, VK_FORMAT_R32_SFLOAT) {}
+
+std::uint64_t GpuMesh::sizeBytes() const {
+  return vertexBuffer_.sizeBytes() + cellBuffer_.sizeBytes() + cellScalarBuffer_.sizeBytes();
+}
+
+MeshAddresses GpuMesh::addresses() const {
+  return {cellBuffer_.address(), vertexBuffer_.address(), cellScalarBuffer_.address()};
+}
+
+}  // namespace tetralux::render

@@ -1,0 +1,36 @@
+// Pipelines of one shader for different specialisation constants, made when first needed.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gpu/pipeline.h"
+
+namespace tetralux::render {
+
+// What a frame's shaders are specialised for: properties of scene and view that hold for all cells.
+struct FrameVariant {
+  bool perspective = true;
+  bool cellField = false;
+  bool nearCells = false;
+  bool wideAddressing = false;
+
+  gpu::SpecConstants specConstants() const;
+};
+
+class ComputeVariants {
+ public:
+  //   shader   name under shaders-glsl
+  ComputeVariants(const gpu::Context& context, const std::string& shader);
+
+  const gpu::ComputePipeline& get(const gpu::SpecConstants& constants);
+
+ private:
+  const gpu::Context& context_;
+  gpu::Shader shader_;
+  std::map<std::vector<std::pair<std::uint32_t, std::uint32_t>>, gpu::ComputePipeline> pipelines_;
+};
+
+}  // namespace tetralux::render

@@ -1,0 +1,87 @@
+// The public face: a mesh on a device, then pictures of it.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gpu/recorder.h"
+#include "image/image.h"
+#include "mesh/tet_mesh.h"
+#include "render/frame.h"
+#include "view/camera.h"
+#include "volume/transfer_function.h"
+
+namespace tetralux::render {
+
+// What cells are blended into.
+enum class Target {
+  Rgba32f,
+  Rgba16f,  // half the memory; wrong by several 8-bit levels where more than about 20 thin cells lie behind each other
+};
+
+struct RenderOptions {
+  Target target = Target::Rgba32f;
+  bool timed = false;  // time every pass (costs a little)
+};
+
+struct RendererOptions {
+  // Reach every buffer by its address, as a mesh beyond the device's descriptor ranges needs. Chosen by itself where it
+  // is needed; forced for tests.
+  bool forceWideAddressing = false;
+  std::optional<SortVariant> sortVariant;  // nothing: the best for the device
+};
+
+struct FrameStats {
+  std::uint64_t drawnCells = 0;
+  std::uint64_t triangles = 0;
+  std::uint64_t nearCells = 0;
+  std::uint64_t culledOutside = 0;
+  std::uint64_t culledNoSample = 0;
+  std::uint64_t culledTransparent = 0;
+  std::vector<gpu::PassTime> passes;  // when timed
+  double frameMs = 0.0;               // device work until the picture is ready there
+  double readbackMs = 0.0;            // picture to host memory
+};
+
+struct MemoryUse {
+  std::uint64_t meshBytes = 0;
+  std::uint64_t frameBytes = 0;
+  std::uint64_t tableBytes = 0;
+};
+
+class Renderer {
+ public:
+  // Copies the mesh to the device; it need not outlive the call. Throws Error(Device).
+  //   context   must outlive the renderer
+  Renderer(const gpu::Context& context, const TetMesh& mesh, const ScalarField& field, const RendererOptions& options = {});
+
+  // Colours and extinctions from now on. Cost does not depend on the mesh.
+  void setTransferFunction(const TransferFunction& transfer);
+
+  // Draws a frame and leaves it on the device. Throws Error(Device). A transfer function must have been set.
+  FrameStats draw(const Camera& camera, ImageSize size, const RenderOptions& options = {});
+
+  // The last frame drawn. Sets `readbackMs` of its statistics, if given.
+  Image readImage(FrameStats* stats = nullptr);
+
+  MemoryUse memoryUse() const;
+  const MeshSpace& space() const { return mesh_.space(); }
+
+ private:
+  const gpu::Context& context_;
+  GpuMesh mesh_;
+  bool wideAddressing_;
+  FramePasses passes_;
+  FrameStorage storage_;
+  std::unique_ptr<TransferBuffer> transfer_;
+  std::unique_ptr<gpu::AttachmentImage> target_;
+  std::unique_ptr<gpu::Buffer> readback_;
+};
+
+// Names on the command line and in statistics.
+const char* targetName(Target target);
+
+}  // namespace tetralux::render

@@ -1,0 +1,114 @@
+#include "render/sort_pass.h"
+
+#include "base/check.h"
+#include "shared/limits.h"
+#include "shared/sort.h"
+#include "shared/spec_ids.h"
+
+namespace tetralux::render {
+namespace {
+
+using gpu::access::kComputeReadWrite;
+using gpu::access::kComputeWrite;
+
+struct UpsweepPush {
+  VkDeviceAddress keys;
+  std::uint32_t cellCount;
+  std::uint32_t columns;
+  std::uint32_t shift;
+};
+
+struct DownsweepPush {
+  VkDeviceAddress keys;
+  VkDeviceAddress values;
+  VkDeviceAddress keysOut;
+  VkDeviceAddress valuesOut;
+  std::uint32_t cellCount;
+  std::uint32_t columns;
+  std::uint32_t shift;
+};
+
+std::uint32_t rounds(std::uint32_t keyBits) {
+  return (keyBits + shared::SORT_DIGIT_BITS - 1) / shared::SORT_DIGIT_BITS;
+}
+
+std::uint32_t columnCount(std::uint32_t cellCount, SortVariant variant) {
+  if (variant == SortVariant::Chunks) return shared::SORT_CHUNK_COUNT;
+  return std::max(1u, (cellCount + shared::SORT_TILE_KEYS - 1) / shared::SORT_TILE_KEYS);
+}
+
+const char* shaderName(SortVariant variant, bool up) {
+  if (variant == SortVariant::Chunks) return up ? "sort/chunk_upsweep.comp" : "sort/chunk_downsweep.comp";
+  return up ? "sort/tile_upsweep.comp" : "sort/tile_downsweep.comp";
+}
+
+}  // namespace
+
+SortVariant bestSortVariant(const gpu::DeviceInfo& info) {
+  return info.isCpu || info.subgroupSize < shared::SORT_TILE_LEAST_SUBGROUP ? SortVariant::Chunks : SortVariant::Tiles;
+}
+
+SortStorage::SortStorage(const gpu::Context& context, std::uint32_t cellCount, SortVariant variant)
+    : variant_(variant), cellCount_(cellCount), columns_(columnCount(cellCount, variant)) {
+  const std::uint64_t bytes = std::uint64_t{4} * cellCount;
+  for (size_t side = 0; side < 2; side++) {
+    keys_[side] = gpu::Buffer(context, bytes, gpu::MemoryKind::Device, "sort keys");
+    values_[side] = gpu::Buffer(context, bytes, gpu::MemoryKind::Device, "sort values");
+    keyViews_[side] = gpu::TexelView(context, keys_[side], VK_FORMAT_R32_UINT);
+    valueViews_[side] = gpu::TexelView(context, values_[side], VK_FORMAT_R32_UINT);
+  }
+  counts_ = gpu::Buffer(context, std::uint64_t{4} * shared::SORT_DIGITS * columns_, gpu::MemoryKind::Device, "sort counts");
+  totals_ = gpu::Buffer(context, std::uint64_t{4} * shared::SORT_DIGITS, gpu::MemoryKind::Device, "sort totals");
+  kept_ = gpu::Buffer(context, 4, gpu::MemoryKind::Device, "sort kept");
+}
+
+size_t SortStorage::resultSide(std::uint32_t keyBits) { return rounds(keyBits) % 2; }
+
+std::uint64_t SortStorage::sizeBytes() const {
+  std::uint64_t bytes = counts_.sizeBytes() + totals_.sizeBytes() + kept_.sizeBytes();
+  for (size_t side = 0; side < 2; side++) bytes += keys_[side].sizeBytes() + values_[side].sizeBytes();
+  return bytes;
+}
+
+SortPass::SortPass(const gpu::Context& context, SortVariant variant)
+    : upsweep_(context, shaderName(variant, true)),
+      spine_(context, "sort/spine.comp"),
+      bases_(context, "sort/bases.comp"),
+      downsweep_(context, shaderName(variant, false)) {}
+
+void SortPass::record(gpu::CommandBuffer& commands, SortStorage& s, std::uint32_t keyBits, bool wideAddressing) {
+  CHECK(keyBits >= 1 && keyBits <= 31);
+  // Invocations of a column: a tile is a workgroup, a chunk is an invocation.
+  const std::uint64_t threads =
+      s.variant_ == SortVariant::Tiles ? std::uint64_t{s.columns_} * shared::SORT_TILE_THREADS : s.columns_;
+  for (std::uint32_t round = 0; round < rounds(keyBits); round++) {
+    const size_t in = round % 2;
+    const size_t out = 1 - in;
+    const std::uint32_t shift = round * shared::SORT_DIGIT_BITS;
+    const gpu::SpecConstants constants = {{SPEC_WIDE_ADDRESSING, wideAddressing}, {SPEC_FIRST_DIGIT, round == 0}};
+    if (round > 0) commands.barrier(kComputeWrite, kComputeReadWrite);
+
+    // count the digits of every column
+    const UpsweepPush upsweepPush{s.keys_[in].address(), s.cellCount_, s.columns_, shift};
+    commands.dispatch(upsweep_.get(constants), {s.keyViews_[in], s.counts_, s.kept_}, upsweepPush, threads);
+    commands.barrier(kComputeWrite, kComputeReadWrite);
+
+    // offsets inside each digit
+    commands.dispatch(spine_.get({}), {s.counts_, s.totals_}, s.columns_,
+                      std::uint64_t{shared::SORT_DIGITS} * spine_.get({}).workgroupSize());
+    commands.barrier(kComputeWrite, kComputeReadWrite);
+
+    // beginnings of the digits; in the first round also the number of keys that take part
+    commands.dispatch(bases_.get({}), {s.totals_, s.kept_}, gpu::NoPush{}, 1);
+    commands.barrier(kComputeWrite, kComputeReadWrite);
+
+    // move keys and values
+    const DownsweepPush downsweepPush{s.keys_[in].address(), s.values_[in].address(), s.keys_[out].address(),
+                                      s.values_[out].address(), s.cellCount_, s.columns_, shift};
+    commands.dispatch(downsweep_.get(constants),
+                      {s.keyViews_[in], s.valueViews_[in], s.counts_, s.totals_, s.kept_, s.keys_[out], s.values_[out]},
+                      downsweepPush, threads);
+  }
+}
+
+}  // namespace tetralux::render

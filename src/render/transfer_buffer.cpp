@@ -1,0 +1,105 @@
+#include "render/transfer_buffer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "shared/limits.h"
+
+namespace tetralux::render {
+namespace {
+
+using shared::TRANSFER_BINS;
+
+// How far the end pieces reach; the shaders add and subtract it, which must not overflow.
+constexpr float kFarAway = 1e30f;
+
+// A piece in the device's units and precision.
+struct DevicePiece {
+  float low, high;
+  OpticalSample atLow, atHigh;  // extinction per mesh unit
+};
+
+std::vector<DevicePiece> devicePieces(const TransferFunction& transfer, const MeshSpace& space) {
+  std::vector<DevicePiece> result;
+  for (const TransferPiece& piece : transfer.pieces()) {
+    DevicePiece p{std::isinf(piece.low) ? -kFarAway : space.scalar(piece.low),
+                  std::isinf(piece.high) ? kFarAway : space.scalar(piece.high), piece.atLow, piece.atHigh};
+    p.atLow.extinction *= space.scale;
+    p.atHigh.extinction *= space.scale;
+    if (p.low < p.high) result.push_back(p);
+  }
+  return result;
+}
+
+void addTexels(const DevicePiece& p, std::vector<glm::vec4>& texels) {
+  const bool isEnd = p.low == -kFarAway || p.high == kFarAway;
+  const double width = static_cast<double>(p.high) - static_cast<double>(p.low);
+  const double perScalar = isEnd ? 0.0 : 1.0 / width;
+  const double slope = (p.atHigh.extinction - p.atLow.extinction) * perScalar;
+  const glm::dvec3 luminanceSlope = (p.atHigh.luminance - p.atLow.luminance) * perScalar;
+  texels.emplace_back(p.low, p.high, static_cast<float>(p.atLow.extinction), static_cast<float>(slope));
+  texels.emplace_back(glm::vec3(p.atLow.luminance), 0.0f);
+  texels.emplace_back(glm::vec3(luminanceSlope), 0.0f);
+}
+
+// Pieces next to each other with extinction inside become one interval.
+std::vector<glm::vec4> supportIntervals(const std::vector<DevicePiece>& pieces) {
+  std::vector<glm::vec4> result;
+  for (const DevicePiece& p : pieces) {
+    if (p.atLow.extinction == 0.0 && p.atHigh.extinction == 0.0) continue;
+    // At a step up, a scalar exactly on the step already has extinction.
+    const float low = p.atLow.extinction > 0.0 ? std::nextafter(p.low, -std::numeric_limits<float>::infinity()) : p.low;
+    if (!result.empty() && result.back().y >= low)
+      result.back().y = p.high;
+    else
+      result.emplace_back(low, p.high, 0.0f, 0.0f);
+  }
+  return result;
+}
+
+template <typename T>
+std::vector<T> atLeastOne(std::vector<T> values) {
+  if (values.empty()) values.emplace_back(0);
+  return values;
+}
+
+}  // namespace
+
+TransferTables makeTransferTables(const TransferFunction& transfer, const MeshSpace& space) {
+  const std::vector<DevicePiece> pieces = devicePieces(transfer, space);
+  TransferTables tables;
+  for (const DevicePiece& p : pieces) addTexels(p, tables.pieces);
+  const auto pieceAt = [&](float s) {
+    const auto after =
+        std::upper_bound(pieces.begin(), pieces.end(), s, [](float value, const DevicePiece& p) { return value < p.low; });
+    return static_cast<std::uint32_t>(std::max<std::ptrdiff_t>(after - pieces.begin(), 1) - 1);
+  };
+  for (std::uint32_t bin = 0; bin < TRANSFER_BINS; bin++) {
+    const float low = static_cast<float>(bin) / TRANSFER_BINS - 0.5f;
+    const float high = static_cast<float>(bin + 1) / TRANSFER_BINS - 0.5f;
+    // The shader's bin of a scalar may be one off by rounding at the bin's ends.
+    tables.pieceBins.push_back(pieceAt(std::nextafter(low, -1.0f)));
+    tables.pieceBins.push_back(pieceAt(std::nextafter(high, 1.0f)));
+  }
+  tables.support = supportIntervals(pieces);
+  return tables;
+}
+
+TransferBuffer::TransferBuffer(const gpu::Context& context, const TransferFunction& transfer, const MeshSpace& space)
+    : TransferBuffer(context, makeTransferTables(transfer, space)) {}
+
+TransferBuffer::TransferBuffer(const gpu::Context& context, const TransferTables& tables)
+    : supportCount_(static_cast<std::uint32_t>(tables.support.size())),
+      pieceBuffer_(gpu::makeBuffer(context, tables.pieces, "transfer pieces")),
+      binBuffer_(gpu::makeBuffer(context, tables.pieceBins, "transfer piece bins")),
+      supportBuffer_(gpu::makeBuffer(context, atLeastOne(tables.support), "transfer support")),
+      pieceView_(context, pieceBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT),
+      binView_(context, binBuffer_, VK_FORMAT_R32_UINT),
+      supportView_(context, supportBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT) {}
+
+std::uint64_t TransferBuffer::sizeBytes() const {
+  return pieceBuffer_.sizeBytes() + binBuffer_.sizeBytes() + supportBuffer_.sizeBytes();
+}
+
+}  // namespace tetralux::render

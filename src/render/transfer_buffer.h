@@ -1,0 +1,48 @@
+// The transfer function on the device. Its size does not depend on the mesh; a change costs microseconds.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "render/mesh_space.h"
+#include "volume/transfer_function.h"
+
+namespace tetralux::render {
+
+// The tables behind include/integrate.glsl and the cull pass, on the host.
+struct TransferTables {
+  std::vector<glm::vec4> pieces;         // TRANSFER_PIECE_TEXELS per piece
+  std::vector<std::uint32_t> pieceBins;  // two per bin: the pieces at its low and high end
+  std::vector<glm::vec4> support;        // xy: open intervals of scalars inside which there is extinction
+};
+
+// Scalars are normalised, extinctions are per mesh unit. Pieces that single precision cannot tell from a step are
+// steps. A step's value at the step itself is the one after it, so the support of a step up is moved down by one ulp.
+TransferTables makeTransferTables(const TransferFunction& transfer, const MeshSpace& space);
+
+class TransferBuffer {
+ public:
+  TransferBuffer(const gpu::Context& context, const TransferFunction& transfer, const MeshSpace& space);
+
+  const gpu::TexelView& pieces() const { return pieceView_; }
+  const gpu::TexelView& pieceBins() const { return binView_; }
+  const gpu::TexelView& support() const { return supportView_; }
+  std::uint32_t supportCount() const { return supportCount_; }
+  std::uint64_t sizeBytes() const;
+
+ private:
+  TransferBuffer(const gpu::Context& context, const TransferTables& tables);
+
+  std::uint32_t supportCount_;
+  gpu::Buffer pieceBuffer_;
+  gpu::Buffer binBuffer_;
+  gpu::Buffer supportBuffer_;
+  gpu::TexelView pieceView_;
+  gpu::TexelView binView_;
+  gpu::TexelView supportView_;
+};
+
+}  // namespace tetralux::render

@@ -1,0 +1,79 @@
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "render/transfer_buffer.h"
+#include "shared/limits.h"
+
+namespace tetralux::render {
+namespace {
+
+MeshSpace space(double low, double high, double scale = 1.0) {
+  MeshSpace s;
+  s.scalarCenter = 0.5 * (low + high);
+  s.scalarRange = high - low;
+  s.scale = scale;
+  return s;
+}
+
+TEST(TransferTables, PiecesAreTheTransferFunctionInTheDevicesUnits) {
+  const TransferFunction transfer({{10, {1, 0, 0}, 2}, {14, {0, 1, 0}, 6}, {30, {0, 0, 1}, 0}}, "t");
+  const TransferTables tables = makeTransferTables(transfer, space(10, 30, 4.0));
+  ASSERT_EQ(tables.pieces.size(), 4u * shared::TRANSFER_PIECE_TEXELS);
+  const glm::vec4 second = tables.pieces[shared::TRANSFER_PIECE_TEXELS];
+  EXPECT_FLOAT_EQ(second.x, -0.5f);
+  EXPECT_FLOAT_EQ(second.y, -0.3f);
+  EXPECT_FLOAT_EQ(second.z, 8.0f);          // 2 per world unit, 4 world units per mesh unit
+  EXPECT_FLOAT_EQ(second.w, 16.0f / 0.2f);  // slope
+  EXPECT_EQ(tables.pieces.front().z, 8.0f);
+  EXPECT_EQ(tables.pieces.front().w, 0.0f);
+}
+
+TEST(TransferTables, BinsNameThePieceAtTheirEnds) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(-0.2, 1.2);
+  std::vector<ControlPoint> points;
+  for (int i = 0; i < 40; i++) points.push_back({uniform(random), {}, 1});
+  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.s < b.s; });
+  const TransferTables tables = makeTransferTables(TransferFunction(points, "t"), space(0, 1));
+  const auto holds = [&](std::uint32_t piece, float s) {
+    const glm::vec4 range = tables.pieces.at(piece * shared::TRANSFER_PIECE_TEXELS);
+    return range.x <= s && s < range.y;
+  };
+  for (std::uint32_t bin = 0; bin < shared::TRANSFER_BINS; bin++) {
+    const float low = static_cast<float>(bin) / shared::TRANSFER_BINS - 0.5f;
+    const float high = static_cast<float>(bin + 1) / shared::TRANSFER_BINS - 0.5f;
+    EXPECT_TRUE(holds(tables.pieceBins[2 * bin], std::nextafter(low, -1.0f))) << bin;
+    EXPECT_TRUE(holds(tables.pieceBins[2 * bin + 1], std::nextafter(high, 1.0f))) << bin;
+  }
+}
+
+TEST(TransferTables, StepsAndPiecesTooNarrowForFloatsHaveNoWidth) {
+  const TransferFunction transfer({{0, {}, 1}, {0.5, {}, 1}, {0.5, {}, 7}, {0.5 + 1e-12, {}, 9}, {1, {}, 9}}, "t");
+  const TransferTables tables = makeTransferTables(transfer, space(0, 1));
+  for (size_t i = 0; i < tables.pieces.size(); i += shared::TRANSFER_PIECE_TEXELS) {
+    EXPECT_LT(tables.pieces[i].x, tables.pieces[i].y);
+    EXPECT_TRUE(std::isfinite(tables.pieces[i].w));
+  }
+}
+
+TEST(TransferTables, SupportIsWhereThereIsExtinction) {
+  const TransferFunction peaks({{0, {}, 0}, {0.2, {}, 0}, {0.3, {}, 5}, {0.4, {}, 0}, {0.6, {}, 0}, {0.6, {}, 2}, {0.8, {}, 2}, {0.8, {}, 0}}, "t");
+  const auto support = makeTransferTables(peaks, space(0, 1)).support;
+  ASSERT_EQ(support.size(), 2u);
+  EXPECT_FLOAT_EQ(support[0].x, -0.3f);
+  EXPECT_FLOAT_EQ(support[0].y, -0.1f);
+  EXPECT_LT(support[1].x, 0.1f) << "a scalar exactly on the step up has extinction";
+  EXPECT_FLOAT_EQ(support[1].y, 0.3f);
+  EXPECT_TRUE(makeTransferTables(TransferFunction({{0, {}, 0}}, "t"), space(0, 1)).support.empty());
+}
+
+TEST(TransferTables, ControlPointsFarOutsideTheFieldStayFinite) {
+  const TransferFunction transfer({{-1e300, {}, 1}, {1e300, {}, 2}}, "t");
+  for (const glm::vec4& texel : makeTransferTables(transfer, space(0, 1e-12)).pieces) {
+    for (int i = 0; i < 4; i++) EXPECT_TRUE(std::isfinite(texel[i]));
+  }
+}
+
+}  // namespace
+}  // namespace tetralux::render
