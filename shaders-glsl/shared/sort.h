@@ -16,7 +16,7 @@ SHARED_CONST uint SORT_TILE_LEAST_SUBGROUP = 8;
 
 // Chunked variant: an invocation owns a run of keys and counters of its own in shared memory.
 SHARED_CONST uint SORT_CHUNK_THREADS = 16;
-SHARED_CONST uint SORT_CHUNK_COUNT = 512;  // runs, whatever the number of keys
+SHARED_CONST uint SORT_CHUNK_COUNT = 128;  // runs, whatever the number of keys
 
 SHARED_END
 

@@ -20,17 +20,18 @@ class CheckFailure : public std::logic_error {
 
 }  // namespace tetralux
 
-#define CHECK(condition) \
-  do { \
+#define CHECK(condition)                                                       \
+  do {                                                                         \
     if (!(condition)) ::tetralux::checkFailed(__FILE__, __LINE__, #condition); \
   } while (false)
 
-#define CHECK_OP_(a, op, b) \
-  do { \
-    const auto& checkA_ = (a); \
-    const auto& checkB_ = (b); \
-    if (!(checkA_ op checkB_)) \
-      ::tetralux::checkFailed(__FILE__, __LINE__, fmt::format("{} {} {}: {} against {}", #a, #op, #b, checkA_, checkB_)); \
+#define CHECK_OP_(a, op, b)                                                                           \
+  do {                                                                                                \
+    const auto& checkA_ = (a);                                                                        \
+    const auto& checkB_ = (b);                                                                        \
+    if (!(checkA_ op checkB_))                                                                        \
+      ::tetralux::checkFailed(__FILE__, __LINE__,                                                     \
+                              fmt::format("{} {} {}: {} against {}", #a, #op, #b, checkA_, checkB_)); \
   } while (false)
 
 #define CHECK_EQ(a, b) CHECK_OP_(a, ==, b)

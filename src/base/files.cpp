@@ -56,8 +56,7 @@ std::vector<std::byte> readFile(const fs::path& path) { return readInto<std::vec
 std::string readTextFile(const fs::path& path) { return readInto<std::string>(path); }
 
 PendingFile::PendingFile(fs::path path) : path_(std::move(path)) {
-  if (path_.empty() || path_.filename().empty())
-    fail(ErrorCode::Output, "'{}': not a file name", path_.string());
+  if (path_.empty() || path_.filename().empty()) fail(ErrorCode::Output, "'{}': not a file name", path_.string());
   std::error_code ec;
   if (fs::is_directory(path_, ec)) fail(ErrorCode::Output, "{}: is a directory, expected a file name", path_.string());
   const fs::path folder = path_.has_parent_path() ? path_.parent_path() : fs::path(".");

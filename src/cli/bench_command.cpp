@@ -80,8 +80,8 @@ class BenchCommand : public Command {
 
   static void printHeader(const gpu::DeviceInfo& device) {
     fmt::print("{} ({}), medians in ms\n", device.name, device.driver);
-    fmt::print("{:<24} {:>10} {:>10} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9}\n", "scene", "tets", "drawn", "frame", "cull",
-               "sort", "project", "raster", "readback", "rmse");
+    fmt::print("{:<24} {:>10} {:>10} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9}\n", "scene", "tets", "drawn", "frame",
+               "cull", "sort", "project", "raster", "readback", "rmse");
   }
 
   static void printRow(const nlohmann::ordered_json& j) {
@@ -89,8 +89,8 @@ class BenchCommand : public Command {
     const auto time = [&](const char* name) { return ms[name].get<double>(); };
     fmt::print("{:<24} {:>10} {:>10} {:>8.2f} {:>8.2f} {:>8.2f} {:>8.2f} {:>8.2f} {:>8.2f} {:>9.2e}\n",
                std::filesystem::path(j["scene"].get<std::string>()).stem().string(), j["tets"].get<std::uint64_t>(),
-               j["drawn_tets"].get<std::uint64_t>(), time("frame"), time("cull"), time("sort"), time("project"), time("raster"),
-               time("readback"), j["check"]["rmse"].get<double>());
+               j["drawn_tets"].get<std::uint64_t>(), time("frame"), time("cull"), time("sort"), time("project"),
+               time("raster"), time("readback"), j["check"]["rmse"].get<double>());
     std::fflush(stdout);
   }
 

@@ -1,10 +1,10 @@
 #include "cli/commands.h"
 
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <fmt/format.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 
 #include <chrono>
 #include <cstdio>
@@ -26,6 +26,17 @@ void setUpLogging() {
 int reportError(const std::string& message, int status) {
   fmt::print(stderr, "tetralux: {}\n", message);
   return status;
+}
+
+// The first argument must name a command; said here because the parser's own message does not name the candidates.
+void checkCommandName(int argc, const char* const* argv) {
+  std::string names;
+  for (const CommandEntry& entry : commandTable()) {
+    if (argc > 1 && (entry.name == std::string_view(argv[1]) || argv[1][0] == '-')) return;
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", entry.name);
+  }
+  const std::string found = argc > 1 ? fmt::format("found '{}'", argv[1]) : "missing";
+  fail(ErrorCode::Usage, "command: {}, expected one of {} (see tetralux --help)", found, names);
 }
 
 // CLI11 puts hints on further lines.
@@ -68,12 +79,14 @@ int runMain(int argc, const char* const* argv) {
     sub->callback([&chosen, command = commands.back().get()] { chosen = command; });
   }
   try {
+    checkCommandName(argc, argv);
     app.parse(argc, argv);
     return chosen->run();
   } catch (const CLI::Success& e) {  // --help, --version
     return app.exit(e);
   } catch (const CLI::ParseError& e) {
-    return reportError(fmt::format("{} (see tetralux --help)", firstLine(e.what())), static_cast<int>(ErrorCode::Usage));
+    return reportError(fmt::format("{} (see tetralux --help)", firstLine(e.what())),
+                       static_cast<int>(ErrorCode::Usage));
   } catch (const Error& e) {
     return reportError(e.what(), static_cast<int>(e.code()));
   } catch (const std::bad_alloc&) {

@@ -13,10 +13,10 @@ namespace tetralux::cli {
 
 // --size, --camera, --field, --tf: what is drawn.
 struct SceneOptions {
-  std::string size;        // "WxH"
+  std::string size;  // "WxH"
   std::string cameraFile;
   std::string field;
-  std::string transfer;    // file or preset
+  std::string transfer;  // file or preset
 
   void add(CLI::App& app);
 };

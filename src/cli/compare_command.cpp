@@ -14,10 +14,13 @@ namespace {
 class CompareCommand : public Command {
  public:
   explicit CompareCommand(CLI::App& app) {
-    app.add_option("reference", reference_, "Picture that is taken as right (.exr, .png)")->required()->type_name("REF");
+    app.add_option("reference", reference_, "Picture that is taken as right (.exr, .png)")
+        ->required()
+        ->type_name("REF");
     app.add_option("image", image_, "Picture to judge")->required()->type_name("IMAGE");
     app.add_flag("--json", json_, "Print JSON");
-    app.add_option("--fail-above", failAbove_, "Exit status 1 when the RMSE is above this")->check(CLI::NonNegativeNumber);
+    app.add_option("--fail-above", failAbove_, "Exit status 1 when the RMSE is above this")
+        ->check(CLI::NonNegativeNumber);
     app.add_option("--fail-max-above", failMaxAbove_, "Exit status 1 when the largest difference is above this")
         ->check(CLI::NonNegativeNumber);
   }

@@ -22,8 +22,8 @@ std::vector<WeightedScalar> sampleField(const TetMesh& mesh, const ScalarField& 
   for (size_t cell = 0; cell < mesh.cellCount(); cell += step) {
     const CellVertices& v = mesh.cells[cell];
     const glm::dvec3 a = mesh.point(v[0]);
-    const double volume6 = std::abs(
-        glm::dot(mesh.point(v[1]) - a, glm::cross(mesh.point(v[2]) - a, mesh.point(v[3]) - a)));
+    const double volume6 =
+        std::abs(glm::dot(mesh.point(v[1]) - a, glm::cross(mesh.point(v[2]) - a, mesh.point(v[3]) - a)));
     if (field.association == FieldAssociation::Cell) {
       samples.push_back({field.values[cell], volume6});
     } else {

@@ -26,8 +26,8 @@ FramePattern::FramePattern(std::string text) {
     for (; end < text.size() && std::isdigit(static_cast<unsigned char>(text[end])) && width < 100; end++)
       width = width * 10 + static_cast<std::uint32_t>(text[end] - '0');
     if (end >= text.size() || text[end] != 'd' || hasNumber_ || width > 20)
-      fail(ErrorCode::Usage, "-o: found '{}', expected at most one %d or %0Nd for the frame's number (%% for a percent sign)",
-           text);
+      fail(ErrorCode::Usage,
+           "-o: found '{}', expected at most one %d or %0Nd for the frame's number (%% for a percent sign)", text);
     hasNumber_ = true;
     zeroPadded_ = zero;
     width_ = width;

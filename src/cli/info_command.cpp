@@ -29,8 +29,9 @@ class InfoCommand : public Command {
     fmt::print("{}\n", mesh_);
     fmt::print("cells             {}\n", s.cells);
     fmt::print("points            {} ({} of no cell)\n", s.points, s.unusedPoints);
-    fmt::print("bounds            ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}), diagonal {:.6g}\n", s.bounds.low.x,
-               s.bounds.low.y, s.bounds.low.z, s.bounds.high.x, s.bounds.high.y, s.bounds.high.z, s.bounds.diagonal());
+    fmt::print("bounds            ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}), diagonal {:.6g}\n",
+               s.bounds.low.x, s.bounds.low.y, s.bounds.low.z, s.bounds.high.x, s.bounds.high.y, s.bounds.high.z,
+               s.bounds.diagonal());
     fmt::print("volume            {:.6g}\n", s.totalVolume);
     fmt::print("edge lengths      {:.6g} to {:.6g}, ratio {:.6g}\n", s.shortestEdge, s.longestEdge, edgeRatio(s));
     fmt::print("zero volume       {} cells ({} with a repeated vertex)\n", s.zeroVolumeCells, s.repeatedVertexCells);
@@ -40,8 +41,9 @@ class InfoCommand : public Command {
     fmt::print("interior faces    {}\n", s.interiorFaces);
     fmt::print("overused faces    {} (of more than two cells)\n", s.overusedFaces);
     for (const ArrayStats& a : s.arrays) {
-      fmt::print("{} array       '{}' {}{}, {:.9g} to {:.9g}{}\n", a.association == FieldAssociation::Point ? "point" : "cell ",
-                 a.name, a.type, a.components == 1 ? "" : fmt::format(" x {} (length)", a.components), a.low, a.high,
+      fmt::print("{} array       '{}' {}{}, {:.9g} to {:.9g}{}\n",
+                 a.association == FieldAssociation::Point ? "point" : "cell ", a.name, a.type,
+                 a.components == 1 ? "" : fmt::format(" x {} (length)", a.components), a.low, a.high,
                  a.nonFinite == 0 ? "" : fmt::format(", {} not finite", a.nonFinite));
     }
   }

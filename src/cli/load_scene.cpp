@@ -18,7 +18,8 @@ constexpr ImageSize kDefaultSize{1024, 768};
 
 bool isSceneFile(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
   return extension == ".json";
 }
 

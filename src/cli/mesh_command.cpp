@@ -90,12 +90,16 @@ class MeshCommand : public Command {
       kinds += fmt::format("\n  {:<16} {}", kind.name, kind.summary);
     }
     app.footer(kinds);
-    app.add_option("kind", kind_, "What to generate, see below")->required()->check(CLI::IsMember(names))->type_name("KIND");
+    app.add_option("kind", kind_, "What to generate, see below")
+        ->required()
+        ->check(CLI::IsMember(names))
+        ->type_name("KIND");
     app.add_option("-o,--output", output_, "Mesh to write")->required()->type_name("FILE.vtu");
     app.add_option("--cells", options_.cells, "About so many cells (default: by kind, 250000 for demo)")
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1000000000}));
     app.add_option("--seed", options_.seed, "Of everything random (default: 1)");
-    app.add_option("--ratio", options_.ratio, "graded: longest edge through shortest; flattened: factor; slivers: heights")
+    app.add_option("--ratio", options_.ratio,
+                   "graded: longest edge through shortest; flattened: factor; slivers: heights")
         ->check(CLI::PositiveNumber);
     app.add_option("--turns", options_.turns, "twisted: full turns (default: 0.5)");
     app.add_option("--jitter", options_.jitter, "jittered: largest move in edges (default: 0.1)")
@@ -106,8 +110,8 @@ class MeshCommand : public Command {
 
   int run() override {
     checkOutputName();
-    const MeshKind& kind = *std::find_if(std::begin(kKinds), std::end(kKinds),
-                                         [&](const MeshKind& k) { return k.name == kind_; });
+    const MeshKind& kind =
+        *std::find_if(std::begin(kKinds), std::end(kKinds), [&](const MeshKind& k) { return k.name == kind_; });
     const double ratio = options_.ratio.value_or(kind.ratio);
     checkRatio(ratio);
     const TetMesh mesh = kind.make(options_.cells.value_or(kind.cells), ratio, options_);
@@ -120,7 +124,8 @@ class MeshCommand : public Command {
 
  private:
   void checkOutputName() const {
-    if (!output_.ends_with(".vtu")) fail(ErrorCode::Usage, "-o: found '{}', expected a name that ends in .vtu", output_);
+    if (!output_.ends_with(".vtu"))
+      fail(ErrorCode::Usage, "-o: found '{}', expected a name that ends in .vtu", output_);
   }
 
   void checkRatio(double ratio) const {

@@ -12,8 +12,8 @@ namespace {
 // One pixel at a random place in each of about `count` equal rectangles.
 std::vector<reference::PixelPosition> stratifiedPixels(ImageSize size, std::uint32_t count) {
   const double aspect = static_cast<double>(size.width) / size.height;
-  const auto columns = static_cast<std::uint32_t>(
-      std::clamp(std::lround(std::sqrt(count * aspect)), 1l, static_cast<long>(size.width)));
+  const auto columns =
+      static_cast<std::uint32_t>(std::clamp(std::lround(std::sqrt(count * aspect)), 1l, static_cast<long>(size.width)));
   const std::uint32_t rows = std::clamp(count / columns, 1u, size.height);
   std::mt19937 random(1);
   std::vector<reference::PixelPosition> positions;

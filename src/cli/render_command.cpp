@@ -68,8 +68,8 @@ class RenderCommand : public Command {
       checkImageName(name, /*pngAllowed=*/true);
       patterns.emplace_back(name);
       if (frames_ > 1 && !patterns.back().hasNumber())
-        fail(ErrorCode::Usage, "-o: found '{}', expected a place for the frame's number such as %04d with --frames {}", name,
-             frames_);
+        fail(ErrorCode::Usage, "-o: found '{}', expected a place for the frame's number such as %04d with --frames {}",
+             name, frames_);
     }
     return patterns;
   }

@@ -44,8 +44,8 @@ double medianReadbackMs(const std::vector<render::FrameStats>& frames) {
   return medianOf(frames, [](const render::FrameStats& frame) { return frame.readbackMs; });
 }
 
-nlohmann::ordered_json statsJson(const LoadedScene& loaded, const gpu::DeviceInfo& device, const render::Renderer& renderer,
-                                 render::Target target, const RunStats& run) {
+nlohmann::ordered_json statsJson(const LoadedScene& loaded, const gpu::DeviceInfo& device,
+                                 const render::Renderer& renderer, render::Target target, const RunStats& run) {
   const render::FrameStats& last = run.frames.back();
   const render::MemoryUse memory = renderer.memoryUse();
   nlohmann::ordered_json json;
@@ -67,7 +67,8 @@ nlohmann::ordered_json statsJson(const LoadedScene& loaded, const gpu::DeviceInf
   json["drawn_tets"] = last.drawnCells;
   json["near_tets"] = last.nearCells;
   json["triangles"] = last.triangles;
-  json["culled"] = {{"no_sample", last.culledNoSample}, {"transparent", last.culledTransparent}, {"outside", last.culledOutside}};
+  json["culled"] = {
+      {"no_sample", last.culledNoSample}, {"transparent", last.culledTransparent}, {"outside", last.culledOutside}};
   json["order_check"] = nullptr;  // centroid order is not checked
   json["ms"] = {{"load", rounded(loaded.loadMs)},
                 {"first_frame", rounded(run.firstFrameMs)},

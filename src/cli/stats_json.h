@@ -16,8 +16,8 @@ struct RunStats {
 };
 
 // The object that --stats and bench --json write. Times are medians over the frames, ms; sizes are bytes.
-nlohmann::ordered_json statsJson(const LoadedScene& loaded, const gpu::DeviceInfo& device, const render::Renderer& renderer,
-                                 render::Target target, const RunStats& run);
+nlohmann::ordered_json statsJson(const LoadedScene& loaded, const gpu::DeviceInfo& device,
+                                 const render::Renderer& renderer, render::Target target, const RunStats& run);
 
 // Median of a pass's times, ms; 0 when it was not timed.
 double medianPassMs(const std::vector<render::FrameStats>& frames, const std::string& pass);

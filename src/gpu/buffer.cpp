@@ -16,15 +16,18 @@ VkDeviceMemory allocate(const Context& context, const VkMemoryRequirements& need
                         const std::string& name, bool& isMappable) {
   VkMemoryPropertyFlags required = 0;
   VkMemoryPropertyFlags preferred = 0;
-  constexpr VkMemoryPropertyFlags kMapped =
-      VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+  constexpr VkMemoryPropertyFlags kMapped = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
   switch (kind) {
-    case MemoryKind::Device: required = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT; break;
+    case MemoryKind::Device:
+      required = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
+      break;
     case MemoryKind::Readback:
       required = kMapped;
       preferred = VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
       break;
-    case MemoryKind::Upload: required = kMapped; break;
+    case MemoryKind::Upload:
+      required = kMapped;
+      break;
   }
   if (context.info().largestAllocationBytes != 0 && needed.size > context.info().largestAllocationBytes)
     fail(ErrorCode::Device, "out of memory: {} needs {} MiB, device '{}' allows {} MiB in one piece", name,
@@ -80,7 +83,8 @@ Buffer::Buffer(const Context& context, std::uint64_t sizeBytes, MemoryKind kind,
 }
 
 TexelView::TexelView(const Context& context, const Buffer& buffer, VkFormat format, std::uint64_t elements) {
-  const std::uint64_t texelBytes = format == VK_FORMAT_R32G32B32A32_SFLOAT || format == VK_FORMAT_R32G32B32A32_UINT ? 16 : 4;
+  const std::uint64_t texelBytes =
+      format == VK_FORMAT_R32G32B32A32_SFLOAT || format == VK_FORMAT_R32G32B32A32_UINT ? 16 : 4;
   CHECK(texelBytes == 16 || format == VK_FORMAT_R32_SFLOAT || format == VK_FORMAT_R32_UINT);
   const std::uint64_t available = buffer.sizeBytes() / texelBytes;
   const std::uint64_t wanted = elements == 0 ? available : elements;

@@ -34,9 +34,7 @@ CommandBuffer::CommandBuffer(const Context& context) : context_(&context) {
   VK_CHECK(vkBeginCommandBuffer(commands_, &beginInfo));
 }
 
-CommandBuffer::~CommandBuffer() {
-  vkFreeCommandBuffers(context_->device(), context_->commandPool(), 1, &commands_);
-}
+CommandBuffer::~CommandBuffer() { vkFreeCommandBuffers(context_->device(), context_->commandPool(), 1, &commands_); }
 
 void CommandBuffer::barrier(const Access& from, const Access& to) {
   VkMemoryBarrier2 memory{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
@@ -102,8 +100,12 @@ void CommandBuffer::beginRendering(const AttachmentImage& image, bool clear) {
   info.pColorAttachments = &attachment;
   vkCmdBeginRendering(commands_, &info);
   // Vulkan's ndc y points down and ours up; a viewport of negative height turns it round.
-  const VkViewport viewport{0.0f, static_cast<float>(image.height()), static_cast<float>(image.width()),
-                            -static_cast<float>(image.height()), 0.0f, 1.0f};
+  const VkViewport viewport{0.0f,
+                            static_cast<float>(image.height()),
+                            static_cast<float>(image.width()),
+                            -static_cast<float>(image.height()),
+                            0.0f,
+                            1.0f};
   vkCmdSetViewport(commands_, 0, 1, &viewport);
   vkCmdSetScissor(commands_, 0, 1, &info.renderArea);
 }

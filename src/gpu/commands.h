@@ -26,7 +26,8 @@ inline constexpr Access kComputeReadWrite{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT
                                           VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_SHADER_WRITE_BIT};
 inline constexpr Access kIndirectRead{VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT};
 inline constexpr Access kVertexRead{
-    VK_PIPELINE_STAGE_2_VERTEX_INPUT_BIT | VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
+    VK_PIPELINE_STAGE_2_VERTEX_INPUT_BIT | VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT |
+        VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
     VK_ACCESS_2_VERTEX_ATTRIBUTE_READ_BIT | VK_ACCESS_2_INDEX_READ_BIT | VK_ACCESS_2_SHADER_READ_BIT};
 inline constexpr Access kColorWrite{VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
                                     VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT};
@@ -38,8 +39,8 @@ inline constexpr Access kHostRead{VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST
 // What a binding is bound to: a buffer (storage or uniform, as the shader declares) or a texel view.
 class Descriptor {
  public:
-  Descriptor(const Buffer& buffer) : buffer_(&buffer) {}      // NOLINT(google-explicit-constructor)
-  Descriptor(const TexelView& view) : view_(view.get()) {}    // NOLINT(google-explicit-constructor)
+  Descriptor(const Buffer& buffer) : buffer_(&buffer) {}    // NOLINT(google-explicit-constructor)
+  Descriptor(const TexelView& view) : view_(view.get()) {}  // NOLINT(google-explicit-constructor)
 
  private:
   friend class CommandBuffer;
@@ -94,7 +95,8 @@ class CommandBuffer {
   void prepareAttachment(const AttachmentImage& image);
   // Copies a whole attachment to a buffer, tightly packed, row 0 first. The attachment is ready for rendering again.
   void copyToBuffer(const AttachmentImage& image, const Buffer& buffer);
-  void copy(const Buffer& from, std::uint64_t fromOffset, const Buffer& to, std::uint64_t toOffset, std::uint64_t bytes);
+  void copy(const Buffer& from, std::uint64_t fromOffset, const Buffer& to, std::uint64_t toOffset,
+            std::uint64_t bytes);
   void fill(const Buffer& buffer, std::uint32_t value);
 
   // Ends recording, runs everything and waits for it. Returns the wall time of submission and wait, ms.

@@ -79,7 +79,8 @@ int typeRank(const DeviceInfo& info) {
 }
 
 bool matches(const DeviceInfo& info, const std::string& wanted) {
-  const bool isIndex = !wanted.empty() && std::all_of(wanted.begin(), wanted.end(), [](unsigned char c) { return std::isdigit(c); });
+  const bool isIndex =
+      !wanted.empty() && std::all_of(wanted.begin(), wanted.end(), [](unsigned char c) { return std::isdigit(c); });
   if (isIndex) return std::to_string(info.index) == wanted;
   return lowerCase(info.name).find(lowerCase(wanted)) != std::string::npos;
 }
@@ -103,7 +104,7 @@ Context::~Context() { destroy(); }
 void Context::destroy() {
   if (commandPool_) vkDestroyCommandPool(device_, commandPool_, nullptr);
   if (device_) vkDestroyDevice(device_, nullptr);
-  if (messenger_) vkDestroyDebugUtilsMessengerEXT(instance_, messenger_, nullptr);
+  if (messenger_) destroyMessenger_(instance_, messenger_, nullptr);
   if (instance_) vkDestroyInstance(instance_, nullptr);
 }
 
@@ -111,6 +112,8 @@ void Context::createInstance(bool validation) {
   validation_ = validation;
   instance_ = makeInstance(validation);
   if (!validation) return;
+  destroyMessenger_ = vkDestroyDebugUtilsMessengerEXT;
+  setObjectName_ = vkSetDebugUtilsObjectNameEXT;
   const VkDebugUtilsMessengerCreateInfoEXT info = validationMessenger();
   VK_CHECK(vkCreateDebugUtilsMessengerEXT(instance_, &info, nullptr, &messenger_));
 }
@@ -194,7 +197,7 @@ void Context::setName(VkObjectType type, std::uint64_t handle, const std::string
   info.objectType = type;
   info.objectHandle = handle;
   info.pObjectName = name.c_str();
-  VK_CHECK(vkSetDebugUtilsObjectNameEXT(device_, &info));
+  VK_CHECK(setObjectName_(device_, &info));
 }
 
 std::vector<DeviceInfo> listDevices() {

@@ -52,6 +52,9 @@ class Context {
 
   VkInstance instance_ = VK_NULL_HANDLE;
   VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+  // Kept from this instance: volk's global pointers are those of the last instance made, which may lack the extension.
+  PFN_vkDestroyDebugUtilsMessengerEXT destroyMessenger_ = nullptr;
+  PFN_vkSetDebugUtilsObjectNameEXT setObjectName_ = nullptr;
   VkPhysicalDevice physicalDevice_ = VK_NULL_HANDLE;
   VkDevice device_ = VK_NULL_HANDLE;
   VkQueue queue_ = VK_NULL_HANDLE;

@@ -10,11 +10,16 @@ namespace {
 
 const char* typeName(VkPhysicalDeviceType type) {
   switch (type) {
-    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU: return "discrete GPU";
-    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU: return "integrated GPU";
-    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU: return "virtual GPU";
-    case VK_PHYSICAL_DEVICE_TYPE_CPU: return "CPU";
-    default: return "other";
+    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+      return "discrete GPU";
+    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+      return "integrated GPU";
+    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
+      return "virtual GPU";
+    case VK_PHYSICAL_DEVICE_TYPE_CPU:
+      return "CPU";
+    default:
+      return "other";
   }
 }
 
@@ -54,11 +59,11 @@ DeviceFeatures::DeviceFeatures() {
 }
 
 void DeviceFeatures::require() {
-  vulkan12.bufferDeviceAddress = VK_TRUE;   // buffers beyond the range limit of a descriptor
-  vulkan12.scalarBlockLayout = VK_TRUE;     // one layout for C++ and GLSL
+  vulkan12.bufferDeviceAddress = VK_TRUE;  // buffers beyond the range limit of a descriptor
+  vulkan12.scalarBlockLayout = VK_TRUE;    // one layout for C++ and GLSL
   vulkan13.dynamicRendering = VK_TRUE;
   vulkan13.synchronization2 = VK_TRUE;
-  vulkan13.maintenance4 = VK_TRUE;          // largest buffer size, local sizes by specialisation
+  vulkan13.maintenance4 = VK_TRUE;  // largest buffer size, local sizes by specialisation
   vulkan13.subgroupSizeControl = VK_TRUE;
 }
 
@@ -100,8 +105,8 @@ DeviceInfo describe(VkPhysicalDevice device, std::uint32_t index) {
   info.largestAllocationBytes = vulkan11.maxMemoryAllocationSize;
   info.largestStorageRangeBytes = plain.limits.maxStorageBufferRange;
   info.largestTexelBuffer = plain.limits.maxTexelBufferElements;
-  info.largestImageSide = std::min({plain.limits.maxImageDimension2D, plain.limits.maxFramebufferWidth,
-                                    plain.limits.maxFramebufferHeight});
+  info.largestImageSide =
+      std::min({plain.limits.maxImageDimension2D, plain.limits.maxFramebufferWidth, plain.limits.maxFramebufferHeight});
   info.subgroupSize = vulkan11.subgroupSize;
 
   VkPhysicalDeviceMemoryProperties memory;
@@ -122,7 +127,8 @@ DeviceInfo describe(VkPhysicalDevice device, std::uint32_t index) {
   info.missing = offered.missing(required);
   if (const std::string extensions = missingExtensions(device); !extensions.empty())
     info.missing += (info.missing.empty() ? "" : ", ") + extensions;
-  if (!blendsFloat32(device)) info.missing += fmt::format("{}blending of R32G32B32A32_SFLOAT", info.missing.empty() ? "" : ", ");
+  if (!blendsFloat32(device))
+    info.missing += fmt::format("{}blending of R32G32B32A32_SFLOAT", info.missing.empty() ? "" : ", ");
   return info;
 }
 

@@ -16,7 +16,7 @@ struct DeviceInfo {
   std::string driver;      // name and version, as the driver gives them
   std::string apiVersion;  // "1.3.230"
   bool isCpu = false;
-  std::uint64_t memoryBytes = 0;            // of the largest device-local heap
+  std::uint64_t memoryBytes = 0;  // of the largest device-local heap
   std::uint64_t largestAllocationBytes = 0;
   std::uint64_t largestStorageRangeBytes = 0;  // maxStorageBufferRange
   std::uint64_t largestTexelBuffer = 0;        // elements, maxTexelBufferElements

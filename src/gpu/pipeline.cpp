@@ -13,7 +13,8 @@ class Specialization {
  public:
   explicit Specialization(const SpecConstants& constants) {
     for (const SpecConstant& c : constants) {
-      entries_.push_back({c.id, static_cast<std::uint32_t>(data_.size() * sizeof(std::uint32_t)), sizeof(std::uint32_t)});
+      entries_.push_back(
+          {c.id, static_cast<std::uint32_t>(data_.size() * sizeof(std::uint32_t)), sizeof(std::uint32_t)});
       data_.push_back(c.value);
     }
     info_ = {static_cast<std::uint32_t>(entries_.size()), entries_.data(), data_.size() * sizeof(std::uint32_t),

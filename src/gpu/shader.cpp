@@ -98,9 +98,12 @@ class Module {
   void add(const Instruction& i) {
     switch (i.op) {
       case OpEntryPoint: {
-        constexpr std::array<VkShaderStageFlagBits, 6> kStages = {
-            VK_SHADER_STAGE_VERTEX_BIT,   VK_SHADER_STAGE_TESSELLATION_CONTROL_BIT, VK_SHADER_STAGE_TESSELLATION_EVALUATION_BIT,
-            VK_SHADER_STAGE_GEOMETRY_BIT, VK_SHADER_STAGE_FRAGMENT_BIT,             VK_SHADER_STAGE_COMPUTE_BIT};
+        constexpr std::array<VkShaderStageFlagBits, 6> kStages = {VK_SHADER_STAGE_VERTEX_BIT,
+                                                                  VK_SHADER_STAGE_TESSELLATION_CONTROL_BIT,
+                                                                  VK_SHADER_STAGE_TESSELLATION_EVALUATION_BIT,
+                                                                  VK_SHADER_STAGE_GEOMETRY_BIT,
+                                                                  VK_SHADER_STAGE_FRAGMENT_BIT,
+                                                                  VK_SHADER_STAGE_COMPUTE_BIT};
         CHECK_LT(i.operands[0], kStages.size());
         stage_ = kStages[i.operands[0]];
         break;
@@ -111,12 +114,23 @@ class Module {
       case OpExecutionModeId:  // the constants come later in the module
         if (i.operands[1] == kExecutionModeLocalSizeId) localSizeIds_ = i.operands.subspan(2, 3);
         break;
-      case OpTypeInt: case OpTypeFloat: case OpTypeVector: case OpTypeMatrix: case OpTypeImage:
-      case OpTypeSampledImage: case OpTypeArray: case OpTypeStruct: case OpTypePointer:
+      case OpTypeInt:
+      case OpTypeFloat:
+      case OpTypeVector:
+      case OpTypeMatrix:
+      case OpTypeImage:
+      case OpTypeSampledImage:
+      case OpTypeArray:
+      case OpTypeStruct:
+      case OpTypePointer:
         ids_[i.operands[0]].type = i;
         break;
-      case OpConstant: ids_[i.operands[1]].type = i; break;
-      case OpVariable: variables_.push_back(i); break;
+      case OpConstant:
+        ids_[i.operands[1]].type = i;
+        break;
+      case OpVariable:
+        variables_.push_back(i);
+        break;
       case OpDecorate:
         if (i.operands[1] == DecorationBinding) ids_[i.operands[0]].binding = i.operands[2];
         if (i.operands[1] == DecorationArrayStride) ids_[i.operands[0]].arrayStride = i.operands[2];
@@ -125,7 +139,8 @@ class Module {
         if (i.operands[2] == DecorationOffset) ids_[i.operands[0]].memberOffset[i.operands[1]] = i.operands[3];
         if (i.operands[2] == DecorationMatrixStride) ids_[i.operands[0]].matrixStride[i.operands[1]] = i.operands[3];
         break;
-      default: break;
+      default:
+        break;
     }
   }
 
@@ -147,18 +162,27 @@ class Module {
     const Id& id = ids_[typeId];
     const auto& operands = id.type.operands;
     switch (id.type.op) {
-      case OpTypeInt: case OpTypeFloat: return operands[1] / 8;
-      case OpTypeVector: return operands[2] * sizeOf(operands[1], owner);
-      case OpTypeMatrix: return operands[2] * owner.matrixStride.at(member);
-      case OpTypeArray: return id.arrayStride * ids_[operands[2]].type.operands[2];
-      case OpTypePointer: CHECK_EQ(operands[1], static_cast<std::uint32_t>(StoragePhysicalStorageBuffer)); return 8;
+      case OpTypeInt:
+      case OpTypeFloat:
+        return operands[1] / 8;
+      case OpTypeVector:
+        return operands[2] * sizeOf(operands[1], owner);
+      case OpTypeMatrix:
+        return operands[2] * owner.matrixStride.at(member);
+      case OpTypeArray:
+        return id.arrayStride * ids_[operands[2]].type.operands[2];
+      case OpTypePointer:
+        CHECK_EQ(operands[1], static_cast<std::uint32_t>(StoragePhysicalStorageBuffer));
+        return 8;
       case OpTypeStruct: {
         std::uint32_t end = 0;
         for (std::uint32_t m = 0; m + 1 < operands.size(); m++)
           end = std::max(end, id.memberOffset.at(m) + sizeOf(operands[m + 1], id, m));
         return end;
       }
-      default: CHECK(!"type in a push constant block"); return 0;
+      default:
+        CHECK(!"type in a push constant block");
+        return 0;
     }
   }
 

@@ -11,7 +11,8 @@
 
 namespace tetralux::gpu {
 
-// What SPIR-V declares. Bindings of set 0 are expected to be numbered from 0 without gaps over all stages of a pipeline.
+// What SPIR-V declares. Bindings of set 0 are expected to be numbered from 0 without gaps over all stages of a
+// pipeline.
 struct ShaderInterface {
   struct Binding {
     std::uint32_t number = 0;

@@ -7,16 +7,26 @@ namespace {
 
 template <typename T>
 constexpr const char* vtkTypeName() {
-  if constexpr (std::is_same_v<T, float>) return "Float32";
-  else if constexpr (std::is_same_v<T, double>) return "Float64";
-  else if constexpr (std::is_same_v<T, std::int8_t>) return "Int8";
-  else if constexpr (std::is_same_v<T, std::uint8_t>) return "UInt8";
-  else if constexpr (std::is_same_v<T, std::int16_t>) return "Int16";
-  else if constexpr (std::is_same_v<T, std::uint16_t>) return "UInt16";
-  else if constexpr (std::is_same_v<T, std::int32_t>) return "Int32";
-  else if constexpr (std::is_same_v<T, std::uint32_t>) return "UInt32";
-  else if constexpr (std::is_same_v<T, std::int64_t>) return "Int64";
-  else return "UInt64";
+  if constexpr (std::is_same_v<T, float>)
+    return "Float32";
+  else if constexpr (std::is_same_v<T, double>)
+    return "Float64";
+  else if constexpr (std::is_same_v<T, std::int8_t>)
+    return "Int8";
+  else if constexpr (std::is_same_v<T, std::uint8_t>)
+    return "UInt8";
+  else if constexpr (std::is_same_v<T, std::int16_t>)
+    return "Int16";
+  else if constexpr (std::is_same_v<T, std::uint16_t>)
+    return "UInt16";
+  else if constexpr (std::is_same_v<T, std::int32_t>)
+    return "Int32";
+  else if constexpr (std::is_same_v<T, std::uint32_t>)
+    return "UInt32";
+  else if constexpr (std::is_same_v<T, std::int64_t>)
+    return "Int64";
+  else
+    return "UInt64";
 }
 
 }  // namespace

@@ -102,8 +102,8 @@ void validate(const TetMesh& mesh, std::string_view place) {
   for (size_t i = 0; i < mesh.cells.size(); i++) {
     for (const std::uint32_t vertex : mesh.cells[i]) {
       if (vertex >= points)
-        fail(ErrorCode::Input, "{}: cell {}: vertex index {}, expected below the number of points, {}", place, i, vertex,
-             points);
+        fail(ErrorCode::Input, "{}: cell {}: vertex index {}, expected below the number of points, {}", place, i,
+             vertex, points);
     }
   }
   const auto checkArrays = [&](const std::vector<DataArray>& arrays, size_t expected, const char* what) {

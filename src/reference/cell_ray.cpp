@@ -21,8 +21,7 @@ CellGeometry::CellGeometry(const std::array<glm::dvec3, 4>& vertices, const std:
 bool CellGeometry::intersect(const Ray& ray, CellSegment& segment) const {
   // Depths are counted from the point of the ray next to a vertex: coordinates are then as small as the cell, and
   // rounding as well.
-  const double base =
-      glm::dot(vertices_[0] - ray.origin, ray.direction) / glm::dot(ray.direction, ray.direction);
+  const double base = glm::dot(vertices_[0] - ray.origin, ray.direction) / glm::dot(ray.direction, ray.direction);
   const glm::dvec3 origin = ray.origin + base * ray.direction;
 
   std::array<double, 4> offset;  // barycentric coordinate i at depth base + t is (offset + slope t) / volume6

@@ -70,7 +70,8 @@ PixelBox CellFootprint::operator()(const std::array<glm::dvec3, 4>& vertices) co
       if (!(view[j].z > 0.0)) continue;
       const double t = view[j].z / (view[j].z - view[i].z);
       const glm::dvec3 crossing = view[j] + t * (view[i] - view[j]);
-      const double rounding = 1e-12 * (std::abs(view[i].x) + std::abs(view[j].x) + std::abs(view[i].y) + std::abs(view[j].y));
+      const double rounding =
+          1e-12 * (std::abs(view[i].x) + std::abs(view[j].x) + std::abs(view[i].y) + std::abs(view[j].y));
       if (crossing.x >= -rounding) x.add(kInfinity);
       if (crossing.x <= rounding) x.add(-kInfinity);
       if (crossing.y >= -rounding) y.add(kInfinity);
@@ -97,11 +98,11 @@ PixelTiles::PixelTiles(const TetMesh& mesh, const CellFootprint& footprint, Imag
   parallelFor(cellCount, 1 << 14, [&](size_t begin, size_t end, unsigned) {
     for (size_t cell = begin; cell < end; cell++) {
       const PixelBox box = footprint(cellVertices(mesh, cell));
-      boxes[cell] = box.empty() ? kNone
-                                : TileBox{static_cast<std::uint16_t>(box.lowX / kSide),
-                                          static_cast<std::uint16_t>(box.lowY / kSide),
-                                          static_cast<std::uint16_t>(box.highX / kSide),
-                                          static_cast<std::uint16_t>(box.highY / kSide)};
+      boxes[cell] =
+          box.empty()
+              ? kNone
+              : TileBox{static_cast<std::uint16_t>(box.lowX / kSide), static_cast<std::uint16_t>(box.lowY / kSide),
+                        static_cast<std::uint16_t>(box.highX / kSide), static_cast<std::uint16_t>(box.highY / kSide)};
     }
   });
   const auto forEachTile = [&](const TileBox& box, const auto& visit) {

@@ -50,7 +50,8 @@ class TileCaster {
  public:
   TileCaster(const ReferenceScene& scene, const CellFootprint& footprint) : scene_(scene), footprint_(footprint) {}
 
-  void cast(std::span<const Target> targets, std::span<const std::uint32_t> cells, std::vector<ReferencePixel>& result) {
+  void cast(std::span<const Target> targets, std::span<const std::uint32_t> cells,
+            std::vector<ReferencePixel>& result) {
     rays_.clear();
     segments_.resize(std::max(segments_.size(), targets.size()));
     for (size_t i = 0; i < targets.size(); i++) {
@@ -70,8 +71,8 @@ class TileCaster {
     const CellGeometry geometry(vertices, cellScalars(cell));
     if (geometry.empty()) return;
     const auto rowOf = [](const Target& t) { return static_cast<std::int32_t>(t.position.y); };
-    auto target = std::partition_point(targets.begin(), targets.end(),
-                                       [&](const Target& t) { return rowOf(t) < box.lowY; });
+    auto target =
+        std::partition_point(targets.begin(), targets.end(), [&](const Target& t) { return rowOf(t) < box.lowY; });
     for (; target != targets.end() && rowOf(*target) <= box.highY; ++target) {
       const auto x = static_cast<std::int32_t>(target->position.x);
       if (x < box.lowX || x > box.highX) continue;
@@ -159,7 +160,9 @@ std::vector<ReferencePixel> renderPixels(const ReferenceScene& scene, std::span<
   }
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
   std::sort(targets.begin(), targets.end(), [&](const Target& a, const Target& b) {
-    const auto key = [&](const Target& t) { return std::tuple(tileOf(t.position), t.position.y, t.position.x, t.result); };
+    const auto key = [&](const Target& t) {
+      return std::tuple(tileOf(t.position), t.position.y, t.position.x, t.result);
+    };
     return key(a) < key(b);
   });
   std::vector<ReferencePixel> result(positions.size());

@@ -12,10 +12,10 @@ namespace tetralux::render {
 // double precision before anything is rounded to single.
 struct MeshSpace {
   glm::dvec3 center{0.0};
-  double scale = 1.0;         // world units per mesh unit
+  double scale = 1.0;  // world units per mesh unit
   double scalarCenter = 0.0;
-  double scalarRange = 1.0;   // 1 for a constant field
-  glm::dvec3 low{-1.0};       // the mesh's box, mesh space
+  double scalarRange = 1.0;  // 1 for a constant field
+  glm::dvec3 low{-1.0};      // the mesh's box, mesh space
   glm::dvec3 high{1.0};
 
   glm::dvec3 position(const glm::dvec3& world) const { return (world - center) / scale; }

@@ -35,8 +35,8 @@ void ProjectPass::recordBatch(gpu::CommandBuffer& commands, const FrameVariant& 
                               const gpu::Buffer& counters, const BatchStorage& batches, std::uint32_t batch) {
   const ProjectPush push{mesh.addresses(), order.address(), batch * shared::BATCH_CELLS, mesh.cellCount()};
   commands.dispatchIndirect(project_.get(variant.specConstants()),
-                            {view, mesh.cells(), mesh.vertices(), mesh.cellScalars(), truthTableView_, orderView, counters,
-                             batches.positions, batches.ends, batches.modes},
+                            {view, mesh.cells(), mesh.vertices(), mesh.cellScalars(), truthTableView_, orderView,
+                             counters, batches.positions, batches.ends, batches.modes},
                             push, batches.arguments,
                             batch * sizeof(shared::BatchArguments) + offsetof(shared::BatchArguments, groupsX));
 }

@@ -6,17 +6,18 @@
 namespace tetralux::render {
 
 RasterPass::RasterPass(const gpu::Context& context)
-    : context_(context), vertex_(loadShader(context, "raster/fan.vert")), fragment_(loadShader(context, "raster/fan.frag")) {}
+    : context_(context),
+      vertex_(loadShader(context, "raster/fan.vert")),
+      fragment_(loadShader(context, "raster/fan.frag")) {}
 
 void RasterPass::recordBatch(gpu::CommandBuffer& commands, const FrameVariant& variant, const shared::RasterPush& push,
                              const TransferBuffer& transfer, const BatchStorage& batches, std::uint32_t batch,
                              const gpu::AttachmentImage& target) {
   commands.beginRendering(target, /*clear=*/batch == 0);
-  commands.drawIndexedIndirect(
-      pipeline(variant, target.format()),
-      {batches.modesView, batches.endsView, transfer.pieces(), transfer.pieceBins()}, push,
-      {&batches.positions, &batches.ends}, batches.indices, batches.arguments,
-      batch * sizeof(shared::BatchArguments) + offsetof(shared::BatchArguments, indexCount));
+  commands.drawIndexedIndirect(pipeline(variant, target.format()),
+                               {batches.modesView, batches.endsView, transfer.pieces(), transfer.pieceBins()}, push,
+                               {&batches.positions, &batches.ends}, batches.indices, batches.arguments,
+                               batch * sizeof(shared::BatchArguments) + offsetof(shared::BatchArguments, indexCount));
   commands.endRendering();
 }
 

@@ -100,7 +100,8 @@ Image Renderer::readImage(FrameStats* stats) {
 MemoryUse Renderer::memoryUse() const {
   MemoryUse use;
   use.meshBytes = mesh_.sizeBytes();
-  use.frameBytes = storage_.sizeBytes() + (target_ ? target_->sizeBytes() : 0) + (readback_ ? readback_->sizeBytes() : 0);
+  use.frameBytes =
+      storage_.sizeBytes() + (target_ ? target_->sizeBytes() : 0) + (readback_ ? readback_->sizeBytes() : 0);
   use.tableBytes = transfer_ ? transfer_->sizeBytes() : 0;
   return use;
 }

@@ -56,7 +56,8 @@ class Renderer {
  public:
   // Copies the mesh to the device; it need not outlive the call. Throws Error(Device).
   //   context   must outlive the renderer
-  Renderer(const gpu::Context& context, const TetMesh& mesh, const ScalarField& field, const RendererOptions& options = {});
+  Renderer(const gpu::Context& context, const TetMesh& mesh, const ScalarField& field,
+           const RendererOptions& options = {});
 
   // Colours and extinctions from now on. Cost does not depend on the mesh.
   void setTransferFunction(const TransferFunction& transfer);

@@ -1,5 +1,9 @@
 #include "render/sort_pass.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "base/check.h"
 #include "shared/limits.h"
 #include "shared/sort.h"
@@ -37,9 +41,8 @@ std::uint32_t columnCount(std::uint32_t cellCount, SortVariant variant) {
   return std::max(1u, (cellCount + shared::SORT_TILE_KEYS - 1) / shared::SORT_TILE_KEYS);
 }
 
-const char* shaderName(SortVariant variant, bool up) {
-  if (variant == SortVariant::Chunks) return up ? "sort/chunk_upsweep.comp" : "sort/chunk_downsweep.comp";
-  return up ? "sort/tile_upsweep.comp" : "sort/tile_downsweep.comp";
+std::string shaderName(SortVariant variant, const char* step) {
+  return fmt::format("sort/{}_{}.comp", variant == SortVariant::Chunks ? "chunk" : "tile", step);
 }
 
 }  // namespace
@@ -57,7 +60,8 @@ SortStorage::SortStorage(const gpu::Context& context, std::uint32_t cellCount, S
     keyViews_[side] = gpu::TexelView(context, keys_[side], VK_FORMAT_R32_UINT);
     valueViews_[side] = gpu::TexelView(context, values_[side], VK_FORMAT_R32_UINT);
   }
-  counts_ = gpu::Buffer(context, std::uint64_t{4} * shared::SORT_DIGITS * columns_, gpu::MemoryKind::Device, "sort counts");
+  counts_ =
+      gpu::Buffer(context, std::uint64_t{4} * shared::SORT_DIGITS * columns_, gpu::MemoryKind::Device, "sort counts");
   totals_ = gpu::Buffer(context, std::uint64_t{4} * shared::SORT_DIGITS, gpu::MemoryKind::Device, "sort totals");
   kept_ = gpu::Buffer(context, 4, gpu::MemoryKind::Device, "sort kept");
 }
@@ -71,10 +75,10 @@ std::uint64_t SortStorage::sizeBytes() const {
 }
 
 SortPass::SortPass(const gpu::Context& context, SortVariant variant)
-    : upsweep_(context, shaderName(variant, true)),
-      spine_(context, "sort/spine.comp"),
-      bases_(context, "sort/bases.comp"),
-      downsweep_(context, shaderName(variant, false)) {}
+    : upsweep_(context, shaderName(variant, "upsweep")),
+      spine_(context, shaderName(variant, "spine")),
+      bases_(context, "sort/tile_bases.comp"),
+      downsweep_(context, shaderName(variant, "downsweep")) {}
 
 void SortPass::record(gpu::CommandBuffer& commands, SortStorage& s, std::uint32_t keyBits, bool wideAddressing) {
   CHECK(keyBits >= 1 && keyBits <= 31);
@@ -93,18 +97,26 @@ void SortPass::record(gpu::CommandBuffer& commands, SortStorage& s, std::uint32_
     commands.dispatch(upsweep_.get(constants), {s.keyViews_[in], s.counts_, s.kept_}, upsweepPush, threads);
     commands.barrier(kComputeWrite, kComputeReadWrite);
 
-    // offsets inside each digit
-    commands.dispatch(spine_.get({}), {s.counts_, s.totals_}, s.columns_,
-                      std::uint64_t{shared::SORT_DIGITS} * spine_.get({}).workgroupSize());
-    commands.barrier(kComputeWrite, kComputeReadWrite);
-
-    // beginnings of the digits; in the first round also the number of keys that take part
-    commands.dispatch(bases_.get({}), {s.totals_, s.kept_}, gpu::NoPush{}, 1);
+    // beginnings of the digits and of the columns in them; in the first round also how many keys take part
+    if (s.variant_ == SortVariant::Chunks) {
+      commands.dispatch(spine_.get({}), {s.counts_, s.totals_, s.kept_}, s.columns_, shared::SORT_DIGITS);
+    } else {
+      const gpu::ComputePipeline& spine = spine_.get({});
+      commands.dispatch(spine, {s.counts_, s.totals_}, s.columns_,
+                        std::uint64_t{shared::SORT_DIGITS} * spine.workgroupSize());
+      commands.barrier(kComputeWrite, kComputeReadWrite);
+      commands.dispatch(bases_.get({}), {s.totals_, s.kept_}, gpu::NoPush{}, 1);
+    }
     commands.barrier(kComputeWrite, kComputeReadWrite);
 
     // move keys and values
-    const DownsweepPush downsweepPush{s.keys_[in].address(), s.values_[in].address(), s.keys_[out].address(),
-                                      s.values_[out].address(), s.cellCount_, s.columns_, shift};
+    const DownsweepPush downsweepPush{s.keys_[in].address(),
+                                      s.values_[in].address(),
+                                      s.keys_[out].address(),
+                                      s.values_[out].address(),
+                                      s.cellCount_,
+                                      s.columns_,
+                                      shift};
     commands.dispatch(downsweep_.get(constants),
                       {s.keyViews_[in], s.valueViews_[in], s.counts_, s.totals_, s.kept_, s.keys_[out], s.values_[out]},
                       downsweepPush, threads);

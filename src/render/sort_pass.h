@@ -52,13 +52,13 @@ class SortPass {
 
   // Records the sort of storage.keys(). The keys are destroyed. The writer of the keys owes a barrier before; after, a
   // barrier from compute writes is owed.
-  //   keyBits   bits that differ, 1 to 31: one round of four dispatches per 8 bits
+  //   keyBits   bits that differ, 1 to 31: one round per 8 bits
   void record(gpu::CommandBuffer& commands, SortStorage& storage, std::uint32_t keyBits, bool wideAddressing);
 
  private:
   ComputeVariants upsweep_;
   ComputeVariants spine_;
-  ComputeVariants bases_;
+  ComputeVariants bases_;  // tiled variant only
   ComputeVariants downsweep_;
 };
 

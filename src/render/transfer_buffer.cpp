@@ -71,8 +71,8 @@ TransferTables makeTransferTables(const TransferFunction& transfer, const MeshSp
   TransferTables tables;
   for (const DevicePiece& p : pieces) addTexels(p, tables.pieces);
   const auto pieceAt = [&](float s) {
-    const auto after =
-        std::upper_bound(pieces.begin(), pieces.end(), s, [](float value, const DevicePiece& p) { return value < p.low; });
+    const auto after = std::upper_bound(pieces.begin(), pieces.end(), s,
+                                        [](float value, const DevicePiece& p) { return value < p.low; });
     return static_cast<std::uint32_t>(std::max<std::ptrdiff_t>(after - pieces.begin(), 1) - 1);
   };
   for (std::uint32_t bin = 0; bin < TRANSFER_BINS; bin++) {

@@ -119,12 +119,10 @@ JsonObject JsonObject::object(const char* key) {
 
 std::vector<JsonObject> JsonObject::objects(const char* key) {
   const json& value = require(key, "a list of objects");
-  if (!value.is_array())
-    fail(ErrorCode::Input, "{}: found {}, expected a list of objects", where(key), shown(value));
+  if (!value.is_array()) fail(ErrorCode::Input, "{}: found {}, expected a list of objects", where(key), shown(value));
   std::vector<JsonObject> result;
   const std::string prefix = path_.empty() ? key : path_ + "." + key;
-  for (size_t i = 0; i < value.size(); i++)
-    result.emplace_back(value[i], place_, fmt::format("{}[{}]", prefix, i));
+  for (size_t i = 0; i < value.size(); i++) result.emplace_back(value[i], place_, fmt::format("{}[{}]", prefix, i));
   return result;
 }
 

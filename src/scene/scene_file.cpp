@@ -10,8 +10,8 @@ namespace {
 
 Camera parseCamera(JsonObject object) {
   Camera camera;
-  camera.projection =
-      object.oneOf("projection", {"perspective", "orthographic"}) == 0 ? Projection::Perspective : Projection::Orthographic;
+  camera.projection = object.oneOf("projection", {"perspective", "orthographic"}) == 0 ? Projection::Perspective
+                                                                                       : Projection::Orthographic;
   camera.eye = object.vec3("eye");
   camera.center = object.vec3("center");
   camera.up = object.vec3("up");

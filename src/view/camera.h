@@ -23,8 +23,8 @@ struct ImageSize {
 
 // A ray through a pixel's centre: origin + depth * direction for depth >= 0.
 struct Ray {
-  glm::dvec3 origin{0.0};     // world; the eye, or a point of the eye's plane (orthographic)
-  glm::dvec3 direction{0.0};  // world; its component along the view direction is 1, so `depth` is view-space z
+  glm::dvec3 origin{0.0};       // world; the eye, or a point of the eye's plane (orthographic)
+  glm::dvec3 direction{0.0};    // world; its component along the view direction is 1, so `depth` is view-space z
   double lengthPerDepth = 1.0;  // |direction|: world length of a step of 1 in depth
 };
 

@@ -14,6 +14,6 @@ inline std::filesystem::path sharedPath(const std::filesystem::path& relative) {
 }  // namespace tetralux::test
 
 // Ends the test, visibly skipped, where the file is missing.
-#define REQUIRE_SHARED(relative) \
+#define REQUIRE_SHARED(relative)                                        \
   if (!std::filesystem::exists(::tetralux::test::sharedPath(relative))) \
   GTEST_SKIP() << "needs " << ::tetralux::test::sharedPath(relative)

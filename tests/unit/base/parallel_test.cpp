@@ -24,9 +24,10 @@ TEST(ParallelFor, VisitsEveryIndexOnce) {
 }
 
 TEST(ParallelFor, PassesOnAnException) {
-  EXPECT_THROW(parallelFor(100, 1, [](size_t begin, size_t, unsigned) {
-                 if (begin == 50) throw std::runtime_error("50");
-               }),
+  EXPECT_THROW(parallelFor(100, 1,
+                           [](size_t begin, size_t, unsigned) {
+                             if (begin == 50) throw std::runtime_error("50");
+                           }),
                std::runtime_error);
 }
 

@@ -13,7 +13,9 @@ using Vertices = std::array<glm::dvec3, 4>;
 
 const Vertices kUnit = {glm::dvec3(0, 0, 0), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
-Ray rayFrom(const glm::dvec3& origin, const glm::dvec3& direction) { return {origin, direction, glm::length(direction)}; }
+Ray rayFrom(const glm::dvec3& origin, const glm::dvec3& direction) {
+  return {origin, direction, glm::length(direction)};
+}
 
 TEST(CellRay, KnownSegment) {
   const CellGeometry cell(kUnit, {0, 0, 0, 1});
@@ -82,8 +84,9 @@ TEST(CellRay, SegmentsOfSliversAreAccurateFarFromTheOrigin) {
   // A sliver of height 1e-6 seen along its thin direction from 1000 units away.
   const double h = 1e-6;
   const glm::dvec3 offset(500, -300, 1000);
-  const CellGeometry cell({offset, offset + glm::dvec3(1, 0, 0), offset + glm::dvec3(0, 1, 0), offset + glm::dvec3(0.25, 0.25, h)},
-                          {0, 0, 0, 1});
+  const CellGeometry cell(
+      {offset, offset + glm::dvec3(1, 0, 0), offset + glm::dvec3(0, 1, 0), offset + glm::dvec3(0.25, 0.25, h)},
+      {0, 0, 0, 1});
   CellSegment s;
   ASSERT_TRUE(cell.intersect(rayFrom({500.25, -299.75, 0}, {0, 0, 1}), s));
   EXPECT_NEAR((s.back - s.front) / h, 1.0, 1e-6);

@@ -71,9 +71,13 @@ TEST(EmissionMoment, LiesBetweenZeroAndTheOpacity) {
 }
 
 const TransferFunction& wavy() {
-  static const TransferFunction transfer(
-      {{0.1, {1, 0, 0.2}, 0.5}, {0.2, {0.5, 1, 0}, 3}, {0.35, {0, 0.3, 1}, 0}, {0.6, {0, 0.3, 1}, 0}, {0.6, {1, 1, 1}, 8}, {0.9, {0.2, 0, 0}, 1}},
-      "wavy");
+  static const TransferFunction transfer({{0.1, {1, 0, 0.2}, 0.5},
+                                          {0.2, {0.5, 1, 0}, 3},
+                                          {0.35, {0, 0.3, 1}, 0},
+                                          {0.6, {0, 0.3, 1}, 0},
+                                          {0.6, {1, 1, 1}, 8},
+                                          {0.9, {0.2, 0, 0}, 1}},
+                                         "wavy");
   return transfer;
 }
 
@@ -93,7 +97,8 @@ SegmentOptics brute(const TransferFunction& transfer, double front, double back,
 }
 
 TEST(IntegrateSegment, AgreesWithBruteForceAcrossControlPoints) {
-  for (const auto& [front, back] : {std::pair(0.0, 1.0), std::pair(1.0, 0.0), std::pair(0.15, 0.65), std::pair(0.95, 0.33)}) {
+  for (const auto& [front, back] :
+       {std::pair(0.0, 1.0), std::pair(1.0, 0.0), std::pair(0.15, 0.65), std::pair(0.95, 0.33)}) {
     const SegmentOptics exact = integrateSegment(wavy(), front, back, 1.7);
     const SegmentOptics expected = brute(wavy(), front, back, 1.7);
     for (int c = 0; c < 3; c++) EXPECT_NEAR(exact.light[c], expected.light[c], 2e-6);

@@ -94,7 +94,8 @@ TEST(FrameSetup, KeysCoverTheDistancesOfTheMesh) {
     for (size_t i = 0; i < mesh.pointCount(); i++) {
       const glm::dvec3 p = space.position(mesh.point(i));
       const double relative = glm::dot(p, p - 2.0 * e) / (glm::length(p - e) + glm::length(e));
-      const double share = (relative - static_cast<double>(setup.view.keyLow)) * static_cast<double>(setup.view.keyPerDistance);
+      const double share =
+          (relative - static_cast<double>(setup.view.keyLow)) * static_cast<double>(setup.view.keyPerDistance);
       EXPECT_GE(share, -1e-5);
       EXPECT_LE(share, 1.0 + 1e-5);
     }

@@ -58,7 +58,9 @@ TEST(TransferTables, StepsAndPiecesTooNarrowForFloatsHaveNoWidth) {
 }
 
 TEST(TransferTables, SupportIsWhereThereIsExtinction) {
-  const TransferFunction peaks({{0, {}, 0}, {0.2, {}, 0}, {0.3, {}, 5}, {0.4, {}, 0}, {0.6, {}, 0}, {0.6, {}, 2}, {0.8, {}, 2}, {0.8, {}, 0}}, "t");
+  const TransferFunction peaks(
+      {{0, {}, 0}, {0.2, {}, 0}, {0.3, {}, 5}, {0.4, {}, 0}, {0.6, {}, 0}, {0.6, {}, 2}, {0.8, {}, 2}, {0.8, {}, 0}},
+      "t");
   const auto support = makeTransferTables(peaks, space(0, 1)).support;
   ASSERT_EQ(support.size(), 2u);
   EXPECT_FLOAT_EQ(support[0].x, -0.3f);

@@ -29,7 +29,9 @@ TEST(TransferFile, IsReadByItselfOrFromAScene) {
   const test::TempDir dir;
   const std::string points = R"("points": [{"s": 1, "rgb": [0, 0, 1], "tau": 3}])";
   EXPECT_EQ(readTransferFunction(dir.write("a.json", "{" + points + "}")).at(0).extinction, 3.0);
-  EXPECT_EQ(readTransferFunction(dir.write("b.json", "{\"mesh\": 1, \"transfer_function\": {" + points + "}}")).at(0).extinction,
+  EXPECT_EQ(readTransferFunction(dir.write("b.json", "{\"mesh\": 1, \"transfer_function\": {" + points + "}}"))
+                .at(0)
+                .extinction,
             3.0);
   const std::string file = dir.write("c.json", "{" + points + ", \"x\": 1}").string();
   EXPECT_EQ(errorOf(ErrorCode::Input, [&] { readTransferFunction(file); }),

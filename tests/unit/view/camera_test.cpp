@@ -124,9 +124,11 @@ TEST(Camera, WhatMakesNoPictureIsNamed) {
   EXPECT_EQ(error([](Camera& c) { c.up = c.center - c.eye; }),
             "f: camera: up is (-9, 22, -4), expected a direction that is not along the view");
   EXPECT_THAT(error([](Camera& c) { c.up = glm::dvec3(0); }), HasSubstr("up is (0, 0, 0)"));
-  EXPECT_EQ(error([](Camera& c) { c.fovyDegrees = 180; }), "f: camera: fovy is 180, expected degrees between 0 and 180");
+  EXPECT_EQ(error([](Camera& c) { c.fovyDegrees = 180; }),
+            "f: camera: fovy is 180, expected degrees between 0 and 180");
   EXPECT_EQ(error([](Camera& c) { c.fovyDegrees = 0; }), "f: camera: fovy is 0, expected degrees between 0 and 180");
-  EXPECT_EQ(error([](Camera& c) { c.heightWorld = 0; }, orthographic()), "f: camera: height is 0, expected a positive number");
+  EXPECT_EQ(error([](Camera& c) { c.heightWorld = 0; }, orthographic()),
+            "f: camera: height is 0, expected a positive number");
   EXPECT_EQ(error([](Camera& c) { c.eye.y = std::numeric_limits<double>::quiet_NaN(); }),
             "f: camera: eye[1] is nan, expected a finite number");
 }

@@ -1,4 +1,4 @@
-// Radix sort, second step: the counts of one digit become offsets of its tiles (or chunks), and a total.
+// Radix sort, tiled variant, second step: the counts of one digit become offsets of its tiles, and a total.
 //
 // One workgroup per digit; exclusive prefix sum over a row of any length.
 #version 460

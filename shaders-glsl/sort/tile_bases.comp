@@ -1,4 +1,4 @@
-// Radix sort, third step: where each digit begins, and how many keys there are.
+// Radix sort, tiled variant, third step: where each digit begins, and how many keys there are.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

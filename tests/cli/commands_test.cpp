@@ -1,0 +1,140 @@
+// Each command as a user runs it, on a small mesh.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/files.h"
+#include "image/image_io.h"
+#include "image/metrics.h"
+#include "support/run_program.h"
+#include "support/temp_dir.h"
+
+namespace tetralux::cli {
+namespace {
+
+using nlohmann::json;
+using test::runTetralux;
+using ::testing::HasSubstr;
+
+class Commands : public ::testing::Test {
+ protected:
+  void SetUp() override { ASSERT_EQ(run({"mesh", "random", "--cells", "3000", "-o", "m.vtu", "--quiet"}).status, 0); }
+
+  test::ProgramResult run(const std::vector<std::string>& arguments) {
+    auto result = runTetralux(arguments, dir_.path());
+    EXPECT_EQ(result.status, 0) << result.err;
+    return result;
+  }
+
+  test::TempDir dir_;
+};
+
+TEST_F(Commands, RenderOfABareMeshMakesAPictureBesideIt) {
+  const auto result = run({"render", "m.vtu", "--size", "64x48"});
+  EXPECT_THAT(result.err, HasSubstr("wrote m.png"));
+  const Image image = readPng(dir_ / "m.png");
+  EXPECT_EQ(image.width, 64u);
+  float brightest = 0.0f;
+  for (const glm::vec4& p : image.pixels) brightest = std::max({brightest, p.x, p.y, p.z});
+  EXPECT_GT(brightest, 0.2f);
+}
+
+TEST_F(Commands, RenderAgreesWithReference) {
+  run({"render", "m.vtu", "--size", "64x48", "-o", "a.exr", "--quiet", "--validate"});
+  run({"reference", "m.vtu", "--size", "64x48", "-o", "b.exr", "--quiet"});
+  EXPECT_LE(compareImages(readExr(dir_ / "b.exr"), readExr(dir_ / "a.exr")).rmse, 2e-2);  // order by centroids
+  EXPECT_EQ(readExrAttribute(dir_ / "a.exr", "tetralux.field"), "scalar");
+  EXPECT_EQ(readExrAttribute(dir_ / "b.exr", "tetralux.method"), "reference");
+}
+
+TEST_F(Commands, QuietIsQuiet) {
+  const auto result = run({"render", "m.vtu", "--size", "16x16", "--quiet"});
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(result.err, "");
+}
+
+TEST_F(Commands, FramesMakeAFullTurn) {
+  run({"render", "m.vtu", "--size", "32x32", "--frames", "4", "-o", "f_%02d.exr", "--quiet", "--stats", "s.json"});
+  for (const char* name : {"f_00.exr", "f_01.exr", "f_02.exr", "f_03.exr"})
+    EXPECT_TRUE(std::filesystem::exists(dir_ / name));
+  EXPECT_FALSE(std::filesystem::exists(dir_ / "f_04.exr"));
+  EXPECT_GT(compareImages(readExr(dir_ / "f_00.exr"), readExr(dir_ / "f_01.exr")).rmse, 1e-3);
+  EXPECT_EQ(json::parse(readTextFile(dir_ / "s.json"))["frames"], 4);
+}
+
+TEST_F(Commands, StatisticsHaveTheirFixedKeys) {
+  run({"render", "m.vtu", "--size", "32x32", "-o", "a.exr", "--quiet", "--stats", "s.json"});
+  const json stats = json::parse(readTextFile(dir_ / "s.json"));
+  for (const char* key :
+       {"device", "driver", "width", "height", "integration", "interpolation", "projection", "order", "target", "tets",
+        "points", "drawn_tets", "triangles", "culled", "order_check", "ms", "bytes"})
+    EXPECT_TRUE(stats.contains(key)) << key;
+  for (const char* key : {"no_sample", "transparent", "outside"}) EXPECT_TRUE(stats["culled"].contains(key)) << key;
+  for (const char* key : {"load", "first_frame", "frame", "project", "sort", "raster", "readback"})
+    EXPECT_GE(stats["ms"][key].get<double>(), 0.0) << key;
+  for (const char* key : {"mesh", "frame", "tables"}) EXPECT_GT(stats["bytes"][key].get<double>(), 0.0) << key;
+  EXPECT_EQ(stats["width"], 32);
+  EXPECT_GT(stats["drawn_tets"].get<int>(), 0);
+}
+
+TEST_F(Commands, CompareJudgesByItsLimits) {
+  run({"render", "m.vtu", "--size", "32x32", "-o", "a.exr", "--quiet"});
+  run({"render", "m.vtu", "--size", "32x32", "-o", "b.exr", "--tf", "heat", "--quiet"});
+  EXPECT_THAT(run({"compare", "a.exr", "a.exr"}).out, HasSubstr("rmse"));
+  const json equal = json::parse(run({"compare", "a.exr", "a.exr", "--json", "--fail-above", "0"}).out);
+  EXPECT_EQ(equal["rmse"], 0.0);
+  EXPECT_TRUE(equal["psnr"].is_null());
+  for (const char* key : {"rmse", "max", "p99", "mean", "over_half_level", "psnr", "flip"})
+    EXPECT_TRUE(equal.contains(key));
+  EXPECT_EQ(runTetralux({"compare", "a.exr", "b.exr", "--fail-above", "1e-3"}, dir_.path()).status, 1);
+  EXPECT_EQ(runTetralux({"compare", "a.exr", "b.exr", "--fail-max-above", "1e-3"}, dir_.path()).status, 1);
+  EXPECT_EQ(runTetralux({"compare", "a.exr", "b.exr"}, dir_.path()).status, 0);
+}
+
+TEST_F(Commands, BenchPrintsAnArrayWithAnObjectPerScene) {
+  const json all = json::parse(run({"bench", "m.vtu", "m.vtu", "--size", "32x32", "--frames", "2", "--warmup", "1",
+                                    "--max-rmse", "0.05", "--json", "--quiet"})
+                                   .out);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0]["frames"], 2);
+  EXPECT_GT(all[0]["ms"]["frame"].get<double>(), 0.0);
+  EXPECT_GT(all[0]["check"]["pixels"].get<int>(), 500);
+}
+
+TEST_F(Commands, BenchRefusesAWrongPicture) {
+  const auto result = runTetralux({"bench", "m.vtu", "--size", "32x32", "--max-rmse", "0", "--quiet"}, dir_.path());
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("not timed"));
+}
+
+TEST_F(Commands, InfoCountsWhatTheMeshHolds) {
+  const json info = json::parse(run({"info", "m.vtu", "--json"}).out);
+  EXPECT_GT(info["cells"].get<int>(), 2000);
+  EXPECT_EQ(info["inverted_cells"], 0);
+  EXPECT_NEAR(info["volume"].get<double>(), 1.0, 1e-9);
+  EXPECT_EQ(info["arrays"][0]["name"], "scalar");
+  EXPECT_THAT(run({"info", "m.vtu"}).out, HasSubstr("boundary faces"));
+}
+
+TEST_F(Commands, EveryKindOfMeshIsWrittenAndRead) {
+  for (const char* kind :
+       {"demo", "box", "jittered", "graded", "random", "flattened", "twisted", "slivers", "cycle", "cycle-connected"}) {
+    std::vector<std::string> arguments = {"mesh", kind, "-o", "k.vtu", "--quiet"};
+    if (kind != std::string("slivers")) arguments.insert(arguments.end(), {"--cells", "2000"});
+    run(arguments);
+    EXPECT_GT(json::parse(run({"info", "k.vtu", "--json"}).out)["cells"].get<int>(), 0) << kind;
+  }
+}
+
+TEST_F(Commands, DevicesAreListed) { EXPECT_THAT(run({"devices"}).out, HasSubstr("usable             yes")); }
+
+TEST_F(Commands, HalfExrAndTargetsAreWritten) {
+  run({"render", "m.vtu", "--size", "32x32", "-o", "a.exr", "--quiet"});
+  run({"render", "m.vtu", "--size", "32x32", "-o", "h.exr", "--exr-type", "half", "--exr-compression", "piz",
+       "--target", "rgba16f", "--quiet"});
+  EXPECT_LE(compareImages(readExr(dir_ / "a.exr"), readExr(dir_ / "h.exr")).max, 0.02);
+}
+
+}  // namespace
+}  // namespace tetralux::cli

@@ -1,0 +1,170 @@
+// include/integrate.glsl against the double-precision integral, segment by segment.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "base/check.h"
+#include "gpu_fixture.h"
+#include "reference/segment_integral.h"
+#include "render/transfer_buffer.h"
+#include "test_modules.h"
+
+namespace tetralux::render {
+namespace {
+
+using test::GpuTest;
+
+// A scalar range of [0, 1] and mesh units that are world units.
+MeshSpace unitSpace() {
+  MeshSpace space;
+  space.scalarCenter = 0.5;
+  return space;
+}
+
+struct Segment {
+  double front, back, length;
+};
+
+std::vector<glm::vec4> integrateOnDevice(const gpu::Context& context, const TransferFunction& transfer,
+                                         const std::vector<Segment>& segments) {
+  const MeshSpace space = unitSpace();
+  const TransferBuffer tables(context, transfer, space);
+  std::vector<glm::vec4> input;
+  for (const Segment& s : segments)
+    input.emplace_back(space.scalar(s.front), space.scalar(s.back), static_cast<float>(s.length), 0.0f);
+  const gpu::Buffer in = gpu::makeBuffer(context, input, "segments");
+  const gpu::Buffer out = gpu::makeBuffer(context, std::vector<glm::vec4>(segments.size()), "results");
+  const EmbeddedFile* file = findEmbedded(test_modules::files(), "test/integrate.comp.spv");
+  CHECK(file != nullptr);
+  const gpu::Shader shader(context, "test/integrate.comp",
+                           {reinterpret_cast<const std::uint32_t*>(file->data), file->sizeBytes / 4});
+  const gpu::ComputePipeline pipeline(context, shader);
+  test::runCommands(context, [&](gpu::CommandBuffer& commands) {
+    commands.dispatch(pipeline, {tables.pieces(), tables.pieceBins(), in, out},
+                      static_cast<std::uint32_t>(segments.size()), segments.size());
+  });
+  return gpu::downloadVector<glm::vec4>(context, out, segments.size());
+}
+
+// Largest difference over channels; scalars are rounded to single precision first, as the device gets them.
+double largestError(const gpu::Context& context, const TransferFunction& transfer,
+                    const std::vector<Segment>& segments) {
+  const auto found = integrateOnDevice(context, transfer, segments);
+  const MeshSpace space = unitSpace();
+  double worst = 0.0;
+  for (size_t i = 0; i < segments.size(); i++) {
+    const auto rounded = [&](double s) {
+      return static_cast<double>(space.scalar(s)) * space.scalarRange + space.scalarCenter;
+    };
+    const SegmentOptics expected =
+        reference::integrateSegment(transfer, rounded(segments[i].front), rounded(segments[i].back),
+                                    static_cast<double>(static_cast<float>(segments[i].length)));
+    for (int c = 0; c < 4; c++) {
+      const double want = c < 3 ? expected.light[c] : expected.alpha;
+      const double difference = std::abs(want - static_cast<double>(found[i][c]));
+      EXPECT_TRUE(std::isfinite(difference))
+          << segments[i].front << " " << segments[i].back << " " << segments[i].length;
+      worst = std::max(worst, difference);
+    }
+  }
+  return worst;
+}
+
+const TransferFunction& ramp() {
+  static const TransferFunction transfer({{0, {1, 0, 0.5}, 0}, {1, {0, 1, 0.5}, 1}}, "ramp");
+  return transfer;
+}
+
+const TransferFunction& peaks() {
+  // All control points are multiples of 1/256: exact in single precision, after normalisation too.
+  static const TransferFunction transfer({{0 / 256.0, {0.1, 0.2, 0.9}, 0},
+                                          {76 / 256.0, {0.1, 0.2, 0.9}, 0},
+                                          {77 / 256.0, {0.9, 0.2, 0.1}, 9},
+                                          {78 / 256.0, {0.1, 0.2, 0.9}, 0},
+                                          {153 / 256.0, {0.5, 0.9, 0.1}, 0},
+                                          {154 / 256.0, {0.5, 0.9, 0.1}, 20},
+                                          {155 / 256.0, {0.5, 0.9, 0.1}, 0},
+                                          {204 / 256.0, {1, 1, 1}, 0.2},
+                                          {204 / 256.0, {0, 0, 0}, 3},
+                                          {1, {1, 0, 0}, 5}},
+                                         "peaks");
+  return transfer;
+}
+
+// End extinctions a and b over sixteen decades: every branch of NUMERICS section 6.1.
+TEST_F(GpuTest, IntegralIsAccurateForAllOpticalDepths) {
+  std::vector<Segment> segments;
+  for (double exponent = -8; exponent <= 8; exponent += 0.25) {
+    const double length = std::pow(10.0, exponent);
+    for (const auto& [front, back] :
+         {std::pair(0.0, 1.0), std::pair(1.0, 0.0), std::pair(0.5, 0.5), std::pair(1.0, 1.0), std::pair(0.0, 0.0),
+          std::pair(1e-6, 1.0), std::pair(0.3, 0.7), std::pair(0.7, 0.3), std::pair(0.5, 0.5 + 1e-6)})
+      segments.push_back({front, back, length});
+  }
+  EXPECT_LE(largestError(context(), ramp(), segments), 1e-5);
+}
+
+TEST_F(GpuTest, IntegralIsAccurateForRandomSegments) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::vector<Segment> segments;
+  for (int i = 0; i < 20000; i++)
+    segments.push_back({uniform(random), uniform(random), std::pow(10.0, 4 * uniform(random) - 3)});
+  EXPECT_LE(largestError(context(), ramp(), segments), 1e-5);
+  // Rounding of a scalar inside a ramp of width 0.004 moves the extinction by 1e-5 of its height.
+  EXPECT_LE(largestError(context(), peaks(), segments), 5e-5);
+}
+
+TEST_F(GpuTest, IntegralIsAccurateOnAndAroundControlPoints) {
+  std::vector<Segment> segments;
+  for (const ControlPoint& p : peaks().points()) {
+    for (const double offset : {0.0, 1e-7, -1e-7, 1e-5, -1e-5, 1e-3, -1e-3}) {
+      for (const double other : {0.0, 1e-7, -1e-7, 1e-4, 0.2, -0.2, 1.0, -1.0}) {
+        const double front = std::clamp(p.s + offset, 0.0, 1.0);
+        segments.push_back({front, std::clamp(front + other, 0.0, 1.0), 2.0});
+      }
+    }
+  }
+  EXPECT_LE(largestError(context(), peaks(), segments), 5e-5);
+}
+
+// Thin cells are summed by the thousand: what counts is the relative error.
+TEST_F(GpuTest, IntegralOfThinSegmentsHasASmallRelativeError) {
+  std::vector<Segment> segments;
+  for (const double length : {1e-3, 1e-5, 1e-7, 1e-9}) {
+    for (const double front : {0.2, 0.9}) segments.push_back({front, front + 0.05, length});
+  }
+  const auto found = integrateOnDevice(context(), ramp(), segments);
+  for (size_t i = 0; i < segments.size(); i++) {
+    const auto& s = segments[i];
+    const SegmentOptics expected = reference::integrateSegment(ramp(), s.front, s.back, s.length);
+    EXPECT_NEAR(static_cast<double>(found[i].w) / expected.alpha, 1.0, 2e-6);
+    EXPECT_NEAR(static_cast<double>(found[i].x) / expected.light.x, 1.0, 4e-6);
+  }
+}
+
+TEST_F(GpuTest, IntegralOfEqualColorsIsColorTimesOpacity) {
+  const TransferFunction transfer({{0, {0.3, 0.6, 0.9}, 0.1}, {0.4, {0.3, 0.6, 0.9}, 7}, {1, {0.3, 0.6, 0.9}, 0}}, "t");
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::vector<Segment> segments;
+  for (int i = 0; i < 2000; i++) segments.push_back({uniform(random), uniform(random), 10 * uniform(random)});
+  for (const glm::vec4& result : integrateOnDevice(context(), transfer, segments)) {
+    EXPECT_NEAR(result.x, 0.3f * result.w, 3e-7f);
+    EXPECT_NEAR(result.z, 0.9f * result.w, 3e-7f);
+    EXPECT_GE(result.w, 0.0f);
+    EXPECT_LE(result.w, 1.0f);
+  }
+}
+
+TEST_F(GpuTest, IntegralWithManyControlPoints) {
+  std::vector<ControlPoint> points;
+  for (int i = 0; i < 1000; i++) points.push_back({i / 999.0, {i % 3 * 0.5, i % 5 * 0.25, i % 7 / 6.0}, i % 11 * 0.3});
+  std::vector<Segment> segments;
+  for (int i = 0; i < 50; i++) segments.push_back({i / 49.0, 1.0 - i / 49.0, 1.0});
+  EXPECT_LE(largestError(context(), TransferFunction(points, "t"), segments), 5e-5);
+}
+
+}  // namespace
+}  // namespace tetralux::render

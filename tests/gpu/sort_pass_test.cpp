@@ -1,0 +1,121 @@
+#include "render/sort_pass.h"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <ostream>
+#include <random>
+
+#include "gpu_fixture.h"
+#include "shared/limits.h"
+#include "shared/sort.h"
+
+namespace tetralux::render {
+namespace {
+
+using shared::KEY_CULLED;
+
+struct SortCase {
+  SortVariant variant;
+  bool wideAddressing;
+
+  friend std::ostream& operator<<(std::ostream& out, const SortCase& c) {
+    return out << (c.variant == SortVariant::Tiles ? "tiles" : "chunks") << (c.wideAddressing ? ", wide" : "");
+  }
+};
+
+class SortPassTest : public test::GpuTest, public ::testing::WithParamInterface<SortCase> {
+ protected:
+  // What the sort must give: indices of the kept keys by key, ties by index.
+  static std::vector<std::uint32_t> expectedOrder(const std::vector<std::uint32_t>& keys) {
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t i = 0; i < keys.size(); i++) {
+      if (keys[i] != KEY_CULLED) order.push_back(i);
+    }
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return keys[a] < keys[b]; });
+    return order;
+  }
+
+  std::vector<std::uint32_t> sortOnDevice(const std::vector<std::uint32_t>& keys, std::uint32_t keyBits) {
+    if (!pass_) pass_.emplace(context(), GetParam().variant);
+    SortStorage storage(context(), static_cast<std::uint32_t>(keys.size()), GetParam().variant);
+    gpu::upload(context(), storage.keys(), keys.data(), keys.size() * sizeof keys[0]);
+    test::runCommands(context(), [&](gpu::CommandBuffer& commands) {
+      pass_->record(commands, storage, keyBits, GetParam().wideAddressing);
+    });
+    const std::uint32_t kept = gpu::downloadVector<std::uint32_t>(context(), storage.kept(), 1)[0];
+    EXPECT_LE(kept, keys.size());
+    return gpu::downloadVector<std::uint32_t>(context(), storage.order(keyBits), std::min<size_t>(kept, keys.size()));
+  }
+
+ private:
+  std::optional<SortPass> pass_;
+};
+
+std::vector<std::uint32_t> randomKeys(size_t count, std::uint32_t bits, std::mt19937& random) {
+  std::vector<std::uint32_t> keys(count);
+  for (std::uint32_t& key : keys) key = static_cast<std::uint32_t>(random() & ((1ull << bits) - 1));
+  return keys;
+}
+
+TEST_P(SortPassTest, SortsEverySizeThroughTwoPartitionsAndOne) {
+  std::mt19937 random(1);
+  const std::uint32_t partition =
+      GetParam().variant == SortVariant::Tiles ? shared::SORT_TILE_KEYS : shared::SORT_CHUNK_COUNT;
+  // The path by addresses shares all but loads and stores: every seventh size will do.
+  const std::uint32_t step = GetParam().wideAddressing ? 7 : 1;
+  for (std::uint32_t size = 0; size <= 2 * partition + 1; size += step) {
+    const auto keys = randomKeys(size, 8, random);
+    ASSERT_EQ(sortOnDevice(keys, 8), expectedOrder(keys)) << size;
+  }
+}
+
+TEST_P(SortPassTest, SortsManyKeysOfManyBits) {
+  std::mt19937 random(2);
+  for (const std::uint32_t bits : {1u, 8u, 9u, 16u, 24u, 31u}) {
+    const auto keys = randomKeys(100003, bits, random);
+    EXPECT_EQ(sortOnDevice(keys, bits), expectedOrder(keys)) << bits;
+  }
+}
+
+TEST_P(SortPassTest, KeepsOrderAmongEqualKeysAndTurnsReversedOnes) {
+  std::vector<std::uint32_t> keys(10007, 0x123456);
+  EXPECT_EQ(sortOnDevice(keys, 24), expectedOrder(keys));
+  std::iota(keys.rbegin(), keys.rend(), 0u);
+  EXPECT_EQ(sortOnDevice(keys, 24), expectedOrder(keys));
+  std::mt19937 random(3);
+  for (std::uint32_t& key : keys) key = static_cast<std::uint32_t>(random() % 3) << 20;
+  EXPECT_EQ(sortOnDevice(keys, 24), expectedOrder(keys));
+}
+
+TEST_P(SortPassTest, DropsCulledKeys) {
+  std::mt19937 random(4);
+  for (const std::uint32_t share : {1u, 2u, 10u}) {
+    auto keys = randomKeys(20011, 24, random);
+    for (std::uint32_t& key : keys) {
+      if (random() % share == 0) key = KEY_CULLED;
+    }
+    EXPECT_EQ(sortOnDevice(keys, 24), expectedOrder(keys)) << "one in " << share;
+  }
+}
+
+// Floating-point keys of all kinds, in the integer form that orders positive ones.
+TEST_P(SortPassTest, OrdersDenormalAndInfiniteDistances) {
+  std::vector<std::uint32_t> keys;
+  for (const float f : {0.0f, 1e-45f, 1e-40f, 1e-38f, 1.0f, 3e38f, INFINITY}) {
+    for (int i = 0; i < 300; i++) keys.push_back(std::bit_cast<std::uint32_t>(f));
+  }
+  std::shuffle(keys.begin(), keys.end(), std::mt19937(5));
+  EXPECT_EQ(sortOnDevice(keys, 31), expectedOrder(keys));
+}
+
+INSTANTIATE_TEST_SUITE_P(Variants, SortPassTest,
+                         ::testing::Values(SortCase{SortVariant::Tiles, false}, SortCase{SortVariant::Chunks, false},
+                                           SortCase{SortVariant::Tiles, true}, SortCase{SortVariant::Chunks, true}),
+                         [](const auto& sortCase) {
+                           return std::string(sortCase.param.variant == SortVariant::Tiles ? "tiles" : "chunks") +
+                                  (sortCase.param.wideAddressing ? "_wide" : "");
+                         });
+
+}  // namespace
+}  // namespace tetralux::render
