@@ -42,6 +42,9 @@ const uint kTransparent = 3;
 // Rasterisers snap vertices to 1/256 pixel; a cell this close to a pixel's centre may still be drawn there.
 const float kSampleMargin = 1.0 / 128.0;
 
+// With so many pixel centres in its box, a cell is not tested against each of them.
+const float kTestedSamples = 4.0;
+
 bool hasExtinction(vec4 scalar) {
   const float low = min(min(scalar.x, scalar.y), min(scalar.z, scalar.w));
   const float high = max(max(scalar.x, scalar.y), max(scalar.z, scalar.w));
@@ -53,11 +56,52 @@ bool hasExtinction(vec4 scalar) {
   return found;
 }
 
-uint visibility(ScreenBox box) {
+// Pixel centres inside a box, as indices of columns (from the left) and rows (from the bottom).
+struct SampleRange {
+  vec2 first;
+  vec2 last;
+};
+
+SampleRange samplesIn(ScreenBox box) {
+  return SampleRange(max(ceil(box.low + view.halfSize - (0.5 + kSampleMargin)), vec2(0.0)),
+                     min(floor(box.high + view.halfSize - (0.5 - kSampleMargin)), 2.0 * view.halfSize - 1.0));
+}
+
+float cross2(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
+
+// Whether one of a few pixel centres lies in the cell's projection: on no outer edge's far side. An edge between two
+// projected vertices is an outer one when the other two vertices lie on one side of it.
+bool coversASample(vec3 position[4], SampleRange samples) {
+  vec2 screen[4];
+  for (int i = 0; i < 4; i++) screen[i] = position[i].xy * (view.pixelsPerUnit / (kPerspective ? position[i].z : 1.0));
+  const ivec4 pairs[6] = ivec4[6](ivec4(0, 1, 2, 3), ivec4(0, 2, 1, 3), ivec4(0, 3, 1, 2), ivec4(1, 2, 0, 3),
+                                  ivec4(1, 3, 0, 2), ivec4(2, 3, 0, 1));
+  const vec2 count = samples.last - samples.first + 1.0;
+  bvec4 inside = lessThan(vec4(0.0, 1.0, 2.0, 3.0), vec4(count.x * count.y));
+  for (int p = 0; p < 6; p++) {
+    const vec2 base = screen[pairs[p].x];
+    const vec2 edge = screen[pairs[p].y] - base;
+    const float side0 = cross2(edge, screen[pairs[p].z] - base);
+    const float side1 = cross2(edge, screen[pairs[p].w] - base);
+    const float sense = side0 + side1 >= 0.0 ? 1.0 : -1.0;
+    const bool isOuter = side0 * sense >= 0.0 && side1 * sense >= 0.0;
+    const float margin = kSampleMargin * (abs(edge.x) + abs(edge.y));
+    for (int i = 0; i < 4; i++) {
+      const vec2 index = samples.first + vec2(mod(float(i), count.x), floor(float(i) / count.x));
+      const vec2 centre = index + 0.5 - view.halfSize;
+      inside[i] = inside[i] && !(isOuter && cross2(edge, centre - base) * sense < -margin);
+    }
+  }
+  return any(inside);
+}
+
+uint visibility(ScreenBox box, vec3 position[4], bool isNear) {
   if (any(greaterThan(box.low, view.halfSize)) || any(lessThan(box.high, -view.halfSize))) return kOutside;
-  const vec2 first = max(ceil(box.low + view.halfSize - (0.5 + kSampleMargin)), vec2(0.0));
-  const vec2 last = min(floor(box.high + view.halfSize - (0.5 - kSampleMargin)), 2.0 * view.halfSize - 1.0);
-  return any(greaterThan(first, last)) ? kNoSample : kVisible;
+  const SampleRange samples = samplesIn(box);
+  if (any(greaterThan(samples.first, samples.last))) return kNoSample;
+  const vec2 count = samples.last - samples.first + 1.0;
+  if (!isNear && count.x * count.y <= kTestedSamples && !coversASample(position, samples)) return kNoSample;
+  return kVisible;
 }
 
 // Distance of the centroid from the eye (less |eye|, so that digits are kept when the eye is far away) or depth.
@@ -77,8 +121,12 @@ void main() {
   const vec4 depth = vec4(position[0].z, position[1].z, position[2].z, position[3].z);
 
   uint verdict = kOutside;
-  if (any(greaterThan(depth, vec4(0.0))))
-    verdict = isNearCell(depth) ? visibility(nearCellBox(view, position)) : visibility(pointsBox(view, position));
+  if (any(greaterThan(depth, vec4(0.0)))) {
+    const bool isNear = isNearCell(depth);
+    ScreenBox box = pointsBox(view, position);
+    if (isNear) box = nearCellBox(view, position);
+    verdict = visibility(box, position, isNear);
+  }
   if (verdict == kVisible && !hasExtinction(cell.scalar)) verdict = kTransparent;
 
   const float largestKey = float((1u << view.keyBits) - 1u);

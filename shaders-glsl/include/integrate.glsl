@@ -18,6 +18,7 @@ layout(binding = TRANSFER_PIECES) uniform samplerBuffer transferPieces;
 layout(binding = TRANSFER_PIECE_BINS) uniform usamplerBuffer transferPieceBins;
 
 const float kLargestPartDepth = 1.0;
+const int kMostParts = 1 << 20;       // more than any segment has
 const float kOpaque = 1.0 - 1.1e-7;  // 1 - exp(-16)
 
 // (1 - exp(-m)) / m for 0 <= m <= 1: Taylor series, first term left out m^9/10! < 2.8e-7.
@@ -50,10 +51,9 @@ vec4 integrateSegment(float front, float back, float thickness) {
   vec3 light = vec3(0.0);
   float opacity = 0.0;
   float share = 0.0;  // how much of the segment has been walked, 0 to 1
-  // The exit is at the loop's head on purpose: Mesa 22.3 computes wrong values for lanes that have left a loop by an exit
-  // at its end while others go on.
-  bool done = false;
-  while (!done) {
+  // Left from two places on purpose. In Mesa 22.3's software device a loop that is left at its head costs a round more, and
+  // in one that is left only at its end, lanes that have finished come out with wrong values.
+  for (int round = 0; round < kMostParts; round++) {
     const vec4 range = texelFetch(transferPieces, 3 * piece);
     const vec4 luminanceLow = texelFetch(transferPieces, 3 * piece + 1);
     const vec3 luminanceSlope = texelFetch(transferPieces, 3 * piece + 2).xyz;
@@ -91,7 +91,7 @@ vec4 integrateSegment(float front, float back, float thickness) {
 
     share = isCut ? mix(share, shareExit, keep) : shareExit;
     piece = isCut ? piece : (rising ? piece + 1 : piece - 1);
-    done = (isLast && !isCut) || opacity >= kOpaque;
+    if ((isLast && !isCut) || opacity >= kOpaque) break;
   }
   return vec4(light, opacity);
 }

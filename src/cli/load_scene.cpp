@@ -48,8 +48,9 @@ LoadedScene loadScene(const std::string& path, const SceneOptions& options) {
   if (isPreset || (!isScene && options.transfer.empty()))
     scene.transferFunction = defaultTransfer(loaded.mesh, loaded.field, options.transfer);
   if (!isScene && options.cameraFile.empty()) {
-    const Bounds bounds = loaded.mesh.bounds();
-    scene.camera = framingCamera(bounds.low, bounds.high, scene.size);
+    std::vector<glm::dvec3> points(loaded.mesh.pointCount());
+    for (size_t i = 0; i < points.size(); i++) points[i] = loaded.mesh.point(i);
+    scene.camera = framingCamera(points, scene.size);
   }
   loaded.loadMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   spdlog::info("{}: {} cells, {} points, field '{}' from {} to {}", scene.meshPath.string(), loaded.mesh.cellCount(),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -94,24 +95,27 @@ void validate(const Camera& camera, std::string_view place) {
   }
 }
 
-Camera framingCamera(const glm::dvec3& low, const glm::dvec3& high, ImageSize size) {
+Camera framingCamera(std::span<const glm::dvec3> points, ImageSize size) {
+  glm::dvec3 low = points.front();
+  glm::dvec3 high = points.front();
+  for (const glm::dvec3& p : points) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
   Camera camera;
   camera.center = 0.5 * low + 0.5 * high;
-  glm::dvec3 extent = high - low;
-  const double diagonal = glm::length(extent);
-  if (!(diagonal > 0.0)) extent = glm::dvec3(1.0);
   const glm::dvec3 towardsEye = glm::normalize(glm::dvec3(0.45, -1.0, 0.5));
   camera.eye = camera.center + towardsEye;
   const glm::dmat3 rotation = camera.viewRotation();
-  const double tanY = std::tan(glm::radians(camera.fovyDegrees) * 0.5);
+  const double tanY = tanHalfFovy(camera);
   const double tanX = tanY * size.width / size.height;
-  // The distance at which the last corner comes into view: |x| <= (distance + z) tanX, and the same for y.
+  // The distance at which the last point comes into view: |x| <= (distance + z) tanX, and the same for y.
   double distance = 0.0;
-  for (int corner = 0; corner < 8; corner++) {
-    const glm::dvec3 sign((corner & 1) ? 0.5 : -0.5, (corner & 2) ? 0.5 : -0.5, (corner & 4) ? 0.5 : -0.5);
-    const glm::dvec3 p = rotation * (sign * extent);
+  for (const glm::dvec3& point : points) {
+    const glm::dvec3 p = rotation * (point - camera.center);
     distance = std::max({distance, std::abs(p.x) / tanX - p.z, std::abs(p.y) / tanY - p.z});
   }
+  if (!(distance > 0.0)) distance = 1.0 / std::min(tanX, tanY);
   constexpr double kMargin = 1.04;
   camera.eye = camera.center + towardsEye * (distance * kMargin);
   return camera;

@@ -10,6 +10,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 #include <string_view>
 
 namespace tetralux {
@@ -56,8 +57,9 @@ struct Camera {
 // direction, an angle or height out of range, a number that is not finite.
 void validate(const Camera& camera, std::string_view place);
 
-// A perspective camera (30 degrees) that shows a box whole in an image of this shape, from in front, a little from the
-// right and above, z up. A box without extent is treated as one of size 1.
-Camera framingCamera(const glm::dvec3& low, const glm::dvec3& high, ImageSize size);
+// A perspective camera (30 degrees) that shows all points in an image of this shape, with a small margin, from in
+// front, a little from the right and above, z up. Points without extent are shown as if they had the size 1.
+//   points   world; at least one
+Camera framingCamera(std::span<const glm::dvec3> points, ImageSize size);
 
 }  // namespace tetralux

@@ -133,15 +133,21 @@ TEST(Camera, WhatMakesNoPictureIsNamed) {
             "f: camera: eye[1] is nan, expected a finite number");
 }
 
-TEST(FramingCamera, ShowsTheWholeBoxAndFillsThePicture) {
+std::vector<glm::dvec3> corners(const glm::dvec3& high) {
+  std::vector<glm::dvec3> result;
+  for (int corner = 0; corner < 8; corner++)
+    result.push_back((glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2 & 1) - 0.5) * high);
+  return result;
+}
+
+TEST(FramingCamera, ShowsAllPointsAndFillsThePicture) {
   for (const ImageSize size : {ImageSize{100, 100}, ImageSize{400, 100}, ImageSize{50, 200}}) {
     for (const glm::dvec3& high : {glm::dvec3(1, 1, 1), glm::dvec3(100, 1, 1), glm::dvec3(1e-6, 2e-6, 5e-6)}) {
-      const glm::dvec3 low = -0.5 * high;
-      const Camera camera = framingCamera(low, high, size);
+      const auto points = corners(high);
+      const Camera camera = framingCamera(points, size);
       validate(camera, "test");
       double reach = 0.0;
-      for (int corner = 0; corner < 8; corner++) {
-        const glm::dvec3 p(corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z);
+      for (const glm::dvec3& p : points) {
         const glm::dvec4 clip = camera.clipFromWorld(size) * glm::dvec4(p, 1);
         EXPECT_GT(clip.w, 0.0);
         reach = std::max({reach, std::abs(clip.x / clip.w), std::abs(clip.y / clip.w)});
@@ -150,7 +156,8 @@ TEST(FramingCamera, ShowsTheWholeBoxAndFillsThePicture) {
       EXPECT_GT(reach, 0.8);
     }
   }
-  validate(framingCamera(glm::dvec3(3), glm::dvec3(3), {10, 10}), "a point");
+  const std::vector<glm::dvec3> point = {glm::dvec3(3)};
+  validate(framingCamera(point, {10, 10}), "a point");
 }
 
 }  // namespace
