@@ -16,7 +16,10 @@ SHARED_CONST uint SORT_TILE_LEAST_SUBGROUP = 8;
 
 // Chunked variant: an invocation owns a run of keys and counters of its own in shared memory.
 SHARED_CONST uint SORT_CHUNK_THREADS = 16;
-SHARED_CONST uint SORT_CHUNK_COUNT = 128;  // runs, whatever the number of keys
+// Runs, enough for some cores of some lanes each; more of them only where a run would be longer than the next limit.
+SHARED_CONST uint SORT_LEAST_CHUNKS = 128;
+// Mesa's software device ends every loop after 65535 rounds, silently.
+SHARED_CONST uint SORT_LONGEST_CHUNK = 32768;
 
 SHARED_END
 

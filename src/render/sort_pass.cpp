@@ -37,8 +37,10 @@ std::uint32_t rounds(std::uint32_t keyBits) {
 }
 
 std::uint32_t columnCount(std::uint32_t cellCount, SortVariant variant) {
-  if (variant == SortVariant::Chunks) return shared::SORT_CHUNK_COUNT;
-  return std::max(1u, (cellCount + shared::SORT_TILE_KEYS - 1) / shared::SORT_TILE_KEYS);
+  const bool isChunks = variant == SortVariant::Chunks;
+  const std::uint32_t keys = isChunks ? shared::SORT_LONGEST_CHUNK : shared::SORT_TILE_KEYS;
+  const std::uint32_t least = isChunks ? shared::SORT_LEAST_CHUNKS : 1;
+  return std::max(least, cellCount / keys + (cellCount % keys != 0 ? 1 : 0));
 }
 
 std::string shaderName(SortVariant variant, const char* step) {
