@@ -5,6 +5,7 @@
 #include <span>
 
 #include "mesh/tet_mesh.h"
+#include "mesh/vertex_buckets.h"
 
 namespace tetralux {
 
@@ -21,12 +22,5 @@ FaceCounts countFaces(std::span<const CellVertices> cells, size_t pointCount);
 
 // Number of cells whose vertices an earlier cell has, in any order. 12 bytes per cell and 8 per point.
 std::uint64_t countDuplicateCells(std::span<const CellVertices> cells, size_t pointCount);
-
-// Indices in ascending order.
-CellVertices sortedVertices(CellVertices v);
-
-inline bool hasRepeatedVertex(const CellVertices& sorted) {
-  return sorted[0] == sorted[1] || sorted[1] == sorted[2] || sorted[2] == sorted[3];
-}
 
 }  // namespace tetralux
