@@ -1,7 +1,7 @@
 // Which cells can show, and how far away they are.
 //
-// One invocation per cell: its sort key (farthest first), or KEY_CULLED when it is outside the picture, holds no pixel
-// centre, or has no extinction anywhere in its scalar range.
+// One invocation per cell: its sort key (farthest first), marked KEY_TRANSPARENT when the cell has no extinction anywhere in
+// its scalar range; KEY_OUTSIDE when it is outside the picture or holds no pixel centre.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_buffer_reference : require
@@ -11,7 +11,7 @@
 #include "shared/counters.h"
 #include "shared/frame_view.h"
 #include "shared/limits.h"
-#include "shared/near_cells.h"
+#include "shared/clipped_cells.h"
 #include "shared/spec_ids.h"
 
 layout(local_size_x = 64) in;
@@ -49,7 +49,9 @@ bool hasExtinction(vec4 scalar) {
   const float low = min(min(scalar.x, scalar.y), min(scalar.z, scalar.w));
   const float high = max(max(scalar.x, scalar.y), max(scalar.z, scalar.w));
   bool found = false;
-  for (uint i = 0; i < view.supportCount; i++) {
+  // A bound that is not just a uniform: Mesa's software device compiles a shader anew for every value of such a bound.
+  const uint count = min(view.supportCount, uint(textureSize(supportIntervals)));
+  for (uint i = 0; i < count; i++) {
     const vec2 interval = texelFetch(supportIntervals, int(i)).xy;
     found = found || (low < interval.y && high > interval.x);
   }
@@ -131,7 +133,10 @@ void main() {
 
   const float largestKey = float((1u << view.keyBits) - 1u);
   const float share = clamp((centroidDistance(cell.position) - view.keyLow) * view.keyPerDistance, 0.0, 1.0);
-  const uint key = verdict == kVisible ? uint(largestKey - share * largestKey) : KEY_CULLED;
+  const uint distanceKey = uint(largestKey - share * largestKey);
+  const uint key = verdict == kVisible       ? distanceKey
+                   : verdict == kTransparent ? distanceKey | KEY_TRANSPARENT
+                                             : KEY_OUTSIDE;
   if (kWideAddressing)
     keysAt.data[cellIndex] = key;
   else

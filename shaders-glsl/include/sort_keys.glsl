@@ -13,7 +13,7 @@ uint elementCount(uint cellCount, uint kept) { return kFirstDigit ? cellCount : 
 
 uint loadKey(UintsAt keysAt, uint i) { return kWideAddressing ? keysAt.data[i] : texelFetch(keysIn, int(i)).x; }
 
-// Culled cells take no part.
-bool takesPart(uint key) { return !kFirstDigit || key != KEY_CULLED; }
+// Culled cells take no part; the first pass drops them.
+bool takesPart(uint key) { return !kFirstDigit || key < KEY_TRANSPARENT; }
 
 uint digitOf(uint key, uint shift) { return (key >> shift) & (SORT_DIGITS - 1u); }

@@ -12,7 +12,7 @@ vec3 viewPosition(FrameView view, vec3 position) {
          vec3(view.viewFromMesh[0].w, view.viewFromMesh[1].w, view.viewFromMesh[2].w);
 }
 
-// shared/near_cells.h
+// shared/clipped_cells.h
 bool isNearCell(vec4 depth) {
   const float nearest = min(min(depth.x, depth.y), min(depth.z, depth.w));
   const float farthest = max(max(depth.x, depth.y), max(depth.z, depth.w));

@@ -28,7 +28,7 @@
 #include "shared/counters.h"
 #include "shared/frame_view.h"
 #include "shared/limits.h"
-#include "shared/near_cells.h"
+#include "shared/clipped_cells.h"
 #include "shared/spec_ids.h"
 #include "shared/truth_table.h"
 
@@ -47,23 +47,36 @@ layout(binding = 5) uniform usamplerBuffer order;                               
 layout(binding = 6, scalar) buffer Counters { FrameCounters counters; };
 layout(binding = 7, scalar) writeonly buffer Positions { vec2 positions[]; };   // ndc, FAN_VERTICES per cell
 layout(binding = 8, scalar) writeonly buffer Ends { vec4 ends[]; }; // FAN_VERTICES per cell
-layout(binding = 9, scalar) writeonly buffer CellModes { uint cellModes[]; };   // 1: near cell, 0: fan
+layout(binding = 9, scalar) writeonly buffer CellModes { uint cellModes[]; };   // 1: clipped cell, 0: fan
+layout(binding = 10) uniform samplerBuffer largestExtinctions;  // EXTINCTION_LEVELS x TRANSFER_BINS
 
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer OrderAt { uint data[]; };
 layout(push_constant, scalar) uniform Push {
   MeshAddresses mesh;
   OrderAt orderAt;
   uint firstSlot;  // of this batch
-  uint slotCount;  // in all batches, an upper bound; the sort's result says how many there are
+  uint endSlot;    // behind its last one, an upper bound; the sort's result says how many there are
+  uint isCounted;  // 0: the batch was projected before in this frame
 };
 
 struct Fan {
   vec2 position[FAN_VERTICES];  // 0: centre, 1 to 4: ring; units of x/z or x
   vec4 ends[FAN_VERTICES];
   uint triangles;
+  bool isClipped;  // the ends are not those of a fan but the planes and scalars of clippedCell()
 };
 
 float cross2(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
+
+// Largest extinction between two scalars, from above: per mesh unit.
+float largestExtinction(float low, float high) {
+  const float last = float(TRANSFER_BINS - 1u);
+  const int first = int(clamp((low + 0.5) * float(TRANSFER_BINS), 0.0, last));
+  const int end = int(clamp((high + 0.5) * float(TRANSFER_BINS), 0.0, last));
+  const int level = findMSB(end - first + 1);
+  const int row = level * int(TRANSFER_BINS);
+  return max(texelFetch(largestExtinctions, row + first).x, texelFetch(largestExtinctions, row + end + 1 - (1 << level)).x);
+}
 
 Fan projectCell(Cell cell, vec3 position[4]) {
   // Differences are taken between vertices before they are turned and projected: rounding is then relative to the cell's
@@ -90,6 +103,16 @@ Fan projectCell(Cell cell, vec3 position[4]) {
   const vec4 area = vec4(cross2(delta1[0], delta1[1]), -cross2(delta[1], delta[2]), cross2(delta[0], delta[2]),
                          -cross2(delta[0], delta[1]));
 
+  // Heights of the four projected faces, pixels; each face of two of the edges from a common vertex.
+  const float edge01 = dot(delta[0], delta[0]);
+  const float edge02 = dot(delta[1], delta[1]);
+  const float edge03 = dot(delta[2], delta[2]);
+  const float edge12 = dot(delta1[0], delta1[0]);
+  const float edge13 = dot(delta1[1], delta1[1]);
+  const vec2 delta23 = delta1[1] - delta1[0];
+  const float edge23 = dot(delta23, delta23);
+  const vec4 longest = vec4(max(max(edge12, edge13), edge23), max(max(edge02, edge03), edge23),
+                            max(max(edge01, edge03), edge13), max(max(edge01, edge02), edge12));
   // The two points at the thick vertex.
   const vec4 positive = max(area, vec4(0.0));
   const vec4 negative = max(-area, vec4(0.0));
@@ -106,12 +129,19 @@ Fan projectCell(Cell cell, vec3 position[4]) {
   const uint entry =
       texelFetch(truthTable, int(ternary.x * 27u + ternary.y * 9u + ternary.z * 3u + ternary.w)).x;
   Fan fan;
+  const vec4 s = cell.scalar;
+  const float extinction =
+      largestExtinction(min(min(s.x, s.y), min(s.z, s.w)), max(max(s.x, s.y), max(s.z, s.w)));
+  const float dqThick = abs(dqA - dqB);
+  const float thickness = kPerspective ? dqThick / (dot(weightA, q) * dot(weightB, q)) : dqThick;
+  const float height = EDGE_ON_HEIGHT * min(extinction * thickness, 1.0) / view.pixelsPerUnit;
+  fan.isClipped = any(lessThan(area * area, longest * (height * height)));
   fan.triangles = truthTriangles(entry);
   const uint centreVertex = truthCentre(entry);
   fan.position[0] = centreVertex < 4u
                         ? screen[centreVertex]
                         : screen[0] * weightA.x + screen[1] * weightA.y + screen[2] * weightA.z + screen[3] * weightA.w;
-  fan.ends[0] = vec4(dot(weightFront, q), dot(weightFront, sq), abs(dqA - dqB), dot(weightBack, sq));
+  fan.ends[0] = vec4(dot(weightFront, q), dot(weightFront, sq), dqThick, dot(weightBack, sq));
   for (uint i = 0; i < 4u; i++) {
     const uint vertex = truthRing(entry, i);
     fan.position[i + 1u] = screen[vertex];
@@ -123,10 +153,13 @@ Fan projectCell(Cell cell, vec3 position[4]) {
   return fan;
 }
 
-// A near cell: a rectangle that holds what can be seen of it; the ends are its faces' planes (inside is positive,
-// view space) and its scalars, read by the fragment shader.
-Fan nearCell(Cell cell, vec3 position[4]) {
-  const ScreenBox box = nearCellBox(view, position);
+// A cell that is clipped: a rectangle that holds what can be seen of it. The ends are its faces' normals in view space, which
+// point inwards, and its scalars, read by the fragment shader. Everything there is relative to vertex 0, so that the cell's
+// distance from the eye costs no digits: face 0 carries its distance from that vertex (times its normal's length), the other
+// three faces have none and carry the vertex instead.
+Fan clippedCell(Cell cell, vec3 position[4], bool isNear) {
+  ScreenBox box = pointsBox(view, position);
+  if (isNear) box = nearCellBox(view, position);
   // One pixel more than the picture on every side: the rectangle's edges fall on no pixel centre.
   const vec2 low = max(box.low - 1.0, -view.halfSize - 1.0) / view.pixelsPerUnit;
   const vec2 high = min(box.high + 1.0, view.halfSize + 1.0) / view.pixelsPerUnit;
@@ -137,19 +170,22 @@ Fan nearCell(Cell cell, vec3 position[4]) {
   fan.position[3] = high;
   fan.position[4] = vec2(low.x, high.y);
   fan.triangles = 4u;
+  fan.isClipped = true;
 
   const ivec3 faces[4] = ivec3[4](ivec3(1, 3, 2), ivec3(0, 2, 3), ivec3(0, 3, 1), ivec3(0, 1, 2));
   for (int i = 0; i < 4; i++) {
-    const ivec3 face = faces[i];
-    const vec3 normal = viewDirection(view, cross(cell.position[face.y] - cell.position[face.x],
-                                                  cell.position[face.z] - cell.position[face.x]));
-    const float towards = dot(normal, viewDirection(view, cell.position[i] - cell.position[face.x]));
-    // The plane's offset from the vertex nearest to the eye, where it cancels least.
-    vec3 nearest = position[face.x];
-    if (dot(position[face.y], position[face.y]) < dot(nearest, nearest)) nearest = position[face.y];
-    if (dot(position[face.z], position[face.z]) < dot(nearest, nearest)) nearest = position[face.z];
-    const float orientation = sign(towards);
-    fan.ends[i] = orientation * vec4(normal, -dot(normal, nearest));
+    // From the vertex opposite the longest edge: the product of the two shorter edges loses no digits.
+    ivec3 face = faces[i];
+    const vec3 a = cell.position[face.x], b = cell.position[face.y], c = cell.position[face.z];
+    const vec3 opposite = vec3(dot(c - b, c - b), dot(a - c, a - c), dot(b - a, b - a));
+    if (opposite.y >= opposite.x && opposite.y >= opposite.z)
+      face = face.yzx;
+    else if (opposite.z >= opposite.x)
+      face = face.zxy;
+    const vec3 normal = cross(cell.position[face.y] - cell.position[face.x], cell.position[face.z] - cell.position[face.x]);
+    const float towards = dot(normal, cell.position[i] - cell.position[face.x]);
+    fan.ends[i].xyz = sign(towards) * viewDirection(view, normal);
+    fan.ends[i].w = i == 0 ? abs(towards) : position[0][max(i - 1, 0)];
   }
   fan.ends[4] = cell.scalar;
   return fan;
@@ -158,30 +194,27 @@ Fan nearCell(Cell cell, vec3 position[4]) {
 void main() {
   const uint slot = linearIndex();
   const uint globalSlot = firstSlot + slot;
-  if (slot >= BATCH_CELLS || globalSlot >= min(counters.drawn, slotCount)) return;
+  if (slot >= BATCH_CELLS || globalSlot >= min(counters.drawn, endSlot)) return;
   const uint cellIndex = kWideAddressing ? orderAt.data[globalSlot] : texelFetch(order, int(globalSlot)).x;
   const Cell cell = loadCell(mesh, cellIndex);
   vec3 position[4];
   for (int i = 0; i < 4; i++) position[i] = viewPosition(view, cell.position[i]);
 
   const bool isNear = isNearCell(vec4(position[0].z, position[1].z, position[2].z, position[3].z));
-  Fan fan;
-  if (isNear)
-    fan = nearCell(cell, position);
-  else
-    fan = projectCell(cell, position);
+  Fan fan = projectCell(cell, position);
+  if (isNear || fan.isClipped) fan = clippedCell(cell, position, isNear);
 
   const vec2 ndcPerUnit = view.pixelsPerUnit / view.halfSize;
   for (uint i = 0; i < FAN_VERTICES; i++) {
     positions[slot * FAN_VERTICES + i] = fan.position[i] * ndcPerUnit;
     ends[slot * FAN_VERTICES + i] = fan.ends[i];
   }
-  if (kNearCells) cellModes[slot] = isNear ? 1u : 0u;
+  cellModes[slot] = fan.isClipped ? 1u : 0u;
 
   const uint triangles = subgroupAdd(fan.triangles);
-  const uint nearCells = subgroupAdd(isNear ? 1u : 0u);
-  if (subgroupElect()) {
+  const uint clipped = subgroupAdd(fan.isClipped ? 1u : 0u);
+  if (subgroupElect() && isCounted != 0u) {
     atomicAdd(counters.triangles, triangles);
-    if (nearCells > 0) atomicAdd(counters.nearCells, nearCells);
+    if (clipped > 0) atomicAdd(counters.clipped, clipped);
   }
 }

@@ -4,26 +4,20 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shared/limits.h"
-#include "shared/spec_ids.h"
 
-layout(constant_id = SPEC_NEAR_CELLS) const bool kNearCells = false;
-
-layout(location = 0) in vec2 position;   // ndc
-layout(location = 1) in vec4 ends;  // see project/project.comp
+layout(location = 0) in vec2 position;  // ndc
+layout(location = 1) in vec4 ends;      // see project/project.comp
 
 layout(binding = 0) uniform usamplerBuffer cellModes;
 
 layout(location = 0) out vec4 fanEnds;
 layout(location = 1) flat out vec2 thickEnds;  // x and z of the triangle's first vertex, which is the fan's centre
-layout(location = 2) flat out int nearCell;    // slot of a near cell, or -1
+layout(location = 2) flat out int fanCell;     // slot in the batch, doubled; odd for a cell that is clipped
 
 void main() {
   gl_Position = vec4(position, 0.0, 1.0);
   fanEnds = ends;
   thickEnds = ends.xz;
-  nearCell = -1;
-  if (kNearCells) {
-    const int slot = gl_VertexIndex / int(FAN_VERTICES);
-    if (texelFetch(cellModes, slot).x != 0u) nearCell = slot;
-  }
+  const int slot = gl_VertexIndex / int(FAN_VERTICES);
+  fanCell = slot * 2 + int(texelFetch(cellModes, slot).x);
 }

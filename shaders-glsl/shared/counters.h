@@ -12,7 +12,7 @@ struct FrameCounters {
   uint transparent;  // cells culled: no extinction anywhere in their scalar range
   uint drawn;        // cells that the sort kept
   uint triangles;    // triangles with an area that their fans have
-  uint nearCells;    // cells drawn by clipping rays against their faces
+  uint clipped;      // cells drawn by clipping rays against their faces
   uint padding0;
   uint padding1;
 };

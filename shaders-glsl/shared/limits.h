@@ -6,8 +6,11 @@
 
 SHARED_BEGIN
 
-// Key of a culled cell; real keys have at most 31 bits.
-SHARED_CONST uint KEY_CULLED = 0xffffffffu;
+// Sort keys: smaller is drawn first. Real keys have at most 31 bits. A transparent cell is not drawn, but keeps its key
+// beside this bit, because the order of cells on its two sides hangs on it.
+SHARED_CONST uint KEY_TRANSPARENT = 0x80000000u;
+// Key of a cell that no pixel's ray meets.
+SHARED_CONST uint KEY_OUTSIDE = 0xffffffffu;
 
 // A projected cell is a fan of four triangles round a centre: one centre and four ring vertices.
 SHARED_CONST uint FAN_VERTICES = 5;
@@ -24,6 +27,8 @@ SHARED_CONST uint SORT_DIGITS = 256;
 
 // Uniform bins over the scalar's range, each naming the transfer function's pieces at its two ends.
 SHARED_CONST uint TRANSFER_BINS = 256;
+// Largest extinction of 1, 2, 4, ... 256 bins from each bin on.
+SHARED_CONST uint EXTINCTION_LEVELS = 9;
 // Texels per piece of the transfer function.
 SHARED_CONST uint TRANSFER_PIECE_TEXELS = 3;
 

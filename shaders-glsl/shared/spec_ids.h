@@ -5,7 +5,10 @@
 #define SPEC_WIDE_ADDRESSING 0  // bool: buffers beyond a descriptor's range are reached by their address
 #define SPEC_PERSPECTIVE 1      // bool: perspective, else orthographic
 #define SPEC_CELL_FIELD 2       // bool: one scalar per cell, else one per vertex
-#define SPEC_NEAR_CELLS 3       // bool: cells may reach the eye's plane (see project/project.comp)
+#define SPEC_NEAR_CELLS 3       // bool: cells may reach the eye's plane (shared/clipped_cells.h)
 #define SPEC_FIRST_DIGIT 4      // bool: first pass of the sort, which drops culled cells and numbers the rest
+#define SPEC_RELATIONS 5        // bool: cells are also related across gaps (order/relate.comp)
+#define SPEC_RELATE_CHECK 6     // bool: relations are counted, not added
+#define SPEC_KBUFFER 7          // uint: size of the k-buffer; 0: fragments are sorted
 
 #endif

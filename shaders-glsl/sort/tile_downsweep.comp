@@ -61,7 +61,7 @@ void main() {
   uint rank[SORT_TILE_KEYS_PER_THREAD];
   for (uint k = 0; k < SORT_TILE_KEYS_PER_THREAD; k++) {
     const uint i = first + k * gl_SubgroupSize + gl_SubgroupInvocationID;
-    key[k] = i < count ? loadKey(keysAt, i) : KEY_CULLED;
+    key[k] = i < count ? loadKey(keysAt, i) : KEY_OUTSIDE;
     const bool isActive = i < count && takesPart(key[k]);
     const uint digit = digitOf(key[k], shift);
     const uvec4 same = lanesWithDigit(digit, isActive);

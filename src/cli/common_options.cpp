@@ -9,6 +9,7 @@
 #include "gpu/validation.h"
 #include "scene/scene_file.h"
 #include "scene/transfer_file.h"
+#include "shared/pixel_lists.h"
 
 namespace tetralux::cli {
 
@@ -25,6 +26,10 @@ void DeviceOptions::add(CLI::App& app) {
   app.add_option("--device", device, "Vulkan device: index or part of its name (default: the best one)");
   app.add_option("--target", target, "What cells are blended into (default: rgba32f)")
       ->check(CLI::IsMember({"rgba32f", "rgba16f"}));
+  app.add_option("--k", kBuffer, "Segments that --order kbuffer holds back at every pixel (default: 6)")
+      ->check(CLI::Range(0u, shared::KBUFFER_LARGEST));
+  app.add_option("--order", order, "Order in which cells are drawn (default: auto)")
+      ->check(CLI::IsMember(render::orderNames()));
   app.add_option("--force-path", forcePath, "For tests: take a code path that this device would not choose")
       ->check(CLI::IsMember({"wide-addressing", "sort-tiles", "sort-chunks"}));
   app.add_flag("--validate", validate, "Run with Vulkan's validation layers; any message is an error");
@@ -32,6 +37,8 @@ void DeviceOptions::add(CLI::App& app) {
 
 render::RendererOptions DeviceOptions::rendererOptions() const {
   render::RendererOptions options;
+  options.order = render::parseOrder(order);
+  options.kBuffer = kBuffer;
   options.forceWideAddressing = forcePath == "wide-addressing";
   if (forcePath == "sort-tiles") options.sortVariant = render::SortVariant::Tiles;
   if (forcePath == "sort-chunks") options.sortVariant = render::SortVariant::Chunks;

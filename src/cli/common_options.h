@@ -21,12 +21,14 @@ struct SceneOptions {
   void add(CLI::App& app);
 };
 
-// --device, --validate, --target: what it is drawn on.
+// --device, --validate, --target, --order, --k: what it is drawn on, and how.
 struct DeviceOptions {
   std::string device;
   bool validate = false;
   std::string target = "rgba32f";
   std::string forcePath;
+  std::string order = "auto";
+  std::uint32_t kBuffer = 6;
 
   void add(CLI::App& app);
   gpu::ContextOptions contextOptions() const { return {device, validate}; }

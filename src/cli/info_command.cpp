@@ -3,6 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "cli/load_scene.h"
+#include "cli/order_table.h"
+#include "cli/stats_json.h"
 #include "mesh/mesh_io.h"
 #include "mesh/mesh_stats.h"
 
@@ -12,21 +15,40 @@ namespace {
 class InfoCommand : public Command {
  public:
   explicit InfoCommand(CLI::App& app) {
-    app.add_option("mesh", mesh_, "Mesh (.vtu, .vtk)")->required()->type_name("MESH");
+    app.add_option("input", input_, "Mesh (.vtu, .vtk) or scene (.json)")->required()->type_name("MESH|SCENE");
     app.add_flag("--json", json_, "Print JSON");
+    app.add_flag("--orders", orders_,
+                 "Draw the view in every order, and report what each gets wrong and what it costs");
+    app.add_option("--frames", frames_, "Frames of which --orders reports the median time (default: 3)")
+        ->check(CLI::Range(1u, 1000u));
+    sceneOptions_.add(app);
+    deviceOptions_.add(app);
+    addQuiet(app);
   }
 
   int run() override {
-    const MeshStats stats = computeMeshStats(readMesh(mesh_));
-    json_ ? printJson(stats) : printText(stats);
+    // Without a view there need not be a field to draw.
+    LoadedScene loaded;
+    if (orders_)
+      loaded = loadScene(input_, sceneOptions_);
+    else
+      loaded.mesh = readMesh(isSceneFile(input_) ? readScene(input_).meshPath : std::filesystem::path(input_));
+    const MeshStats stats = computeMeshStats(loaded.mesh);
+    std::vector<OrderRow> rows;
+    if (orders_) {
+      const gpu::Context context(deviceOptions_.contextOptions());
+      rows = orderTable(context, loaded, deviceOptions_.rendererOptions(), frames_);
+      failOnValidationMessages();
+    }
+    json_ ? printJson(stats, rows) : printText(stats, rows);
     return 0;
   }
 
  private:
   static double edgeRatio(const MeshStats& s) { return s.shortestEdge > 0.0 ? s.longestEdge / s.shortestEdge : 0.0; }
 
-  void printText(const MeshStats& s) const {
-    fmt::print("{}\n", mesh_);
+  void printText(const MeshStats& s, const std::vector<OrderRow>& rows) const {
+    fmt::print("{}\n", input_);
     fmt::print("cells             {}\n", s.cells);
     fmt::print("points            {} ({} of no cell)\n", s.points, s.unusedPoints);
     fmt::print("bounds            ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}), diagonal {:.6g}\n",
@@ -46,12 +68,22 @@ class InfoCommand : public Command {
                  a.components == 1 ? "" : fmt::format(" x {} (length)", a.components), a.low, a.high,
                  a.nonFinite == 0 ? "" : fmt::format(", {} not finite", a.nonFinite));
     }
+    if (!rows.empty())
+      fmt::print("{:<9} {:<8} {:>6} {:>10} {:>10} {:>10} {:>10} {:>8} {:>8} {:>9} {:>9}\n", "order", "drawn", "exact",
+                 "faces", "misordered", "gaps", "misordered", "cyclic", "short px", "order ms", "frame ms");
+    for (const OrderRow& row : rows) {
+      const render::OrderReport& r = row.report;
+      fmt::print("{:<9} {:<8} {:>6} {:>10} {:>10} {:>10} {:>10} {:>8} {:>8} {:>9.2f} {:>9.2f}\n",
+                 render::orderName(row.asked), render::orderName(r.order), r.isExact() ? "yes" : "no", r.faces,
+                 r.misordered, r.relations, r.misorderedRelations, r.cyclicCells, r.shortPixels, row.orderMs,
+                 row.frameMs);
+    }
   }
 
-  void printJson(const MeshStats& s) const {
+  void printJson(const MeshStats& s, const std::vector<OrderRow>& rows) const {
     const auto vec = [](const glm::dvec3& v) { return nlohmann::ordered_json{v.x, v.y, v.z}; };
     nlohmann::ordered_json json;
-    json["mesh"] = mesh_;
+    json["mesh"] = input_;
     json["cells"] = s.cells;
     json["points"] = s.points;
     json["unused_points"] = s.unusedPoints;
@@ -75,11 +107,23 @@ class InfoCommand : public Command {
                                 {"high", a.high},
                                 {"non_finite", a.nonFinite}});
     }
+    for (const OrderRow& row : rows) {
+      nlohmann::ordered_json order = {{"order", render::orderName(row.asked)},
+                                      {"drawn", render::orderName(row.report.order)}};
+      order.update(orderJson(row.report));
+      order["order_ms"] = row.orderMs;
+      order["frame_ms"] = row.frameMs;
+      json["orders"].push_back(order);
+    }
     fmt::print("{}\n", json.dump(1));
   }
 
-  std::string mesh_;
+  std::string input_;
   bool json_ = false;
+  bool orders_ = false;
+  std::uint32_t frames_ = 3;
+  SceneOptions sceneOptions_;
+  DeviceOptions deviceOptions_;
 };
 
 }  // namespace

@@ -16,14 +16,14 @@ namespace {
 
 constexpr ImageSize kDefaultSize{1024, 768};
 
+}  // namespace
+
 bool isSceneFile(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return std::tolower(c); });
   return extension == ".json";
 }
-
-}  // namespace
 
 LoadedScene loadScene(const std::string& path, const SceneOptions& options) {
   const auto start = std::chrono::steady_clock::now();

@@ -1,6 +1,7 @@
 // From the command line's SCENE|MESH to everything that a picture needs.
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "cli/common_options.h"
@@ -15,6 +16,9 @@ struct LoadedScene {
   ScalarField field;
   double loadMs = 0.0;
 };
+
+// Whether a name is that of a scene (.json) and not of a mesh.
+bool isSceneFile(const std::filesystem::path& path);
 
 // `path` is a scene (.json) or a mesh (any other name). For a bare mesh the camera shows it all, the field is its first
 // scalar, and the transfer function is the one of defaultTransfer(). Options replace what the scene says.

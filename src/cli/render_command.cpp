@@ -34,7 +34,9 @@ class RenderCommand : public Command {
     ExrOptions exr = exrOptions_.exrOptions();
     const LoadedScene loaded = loadScene(input_, sceneOptions_);
     const gpu::Context context(deviceOptions_.contextOptions());
-    render::Renderer renderer(context, loaded.mesh, loaded.field, deviceOptions_.rendererOptions());
+    render::RendererOptions rendererOptions = deviceOptions_.rendererOptions();
+    rendererOptions.checkOrder = !statsFile_.empty();
+    render::Renderer renderer(context, loaded.mesh, loaded.field, rendererOptions);
     renderer.setTransferFunction(loaded.scene.transferFunction);
     addSettings(exr, loaded, context.info());
 
@@ -48,6 +50,7 @@ class RenderCommand : public Command {
       render::FrameStats stats = renderer.draw(camera, loaded.scene.size, options);
       const Image image = renderer.readImage(&stats);
       failOnValidationMessages();
+      exr.attributes.back().second = render::orderName(stats.order.order);
       for (const FramePattern& pattern : patterns) writeImage(image, pattern.name(frame), loaded.scene, camera, exr);
       if (frame == 0) run.firstFrameMs = millisecondsSinceStart();
       run.frames.push_back(stats);
@@ -82,8 +85,8 @@ class RenderCommand : public Command {
                       {"tetralux.driver", device.driver},
                       {"tetralux.integration", "exact"},
                       {"tetralux.projection", "pt"},
-                      {"tetralux.order", "radix"},
-                      {"tetralux.target", deviceOptions_.target}};
+                      {"tetralux.target", deviceOptions_.target},
+                      {"tetralux.order", ""}};  // known when the frame is drawn
   }
 
   std::string input_;

@@ -27,6 +27,24 @@ double rounded(double milliseconds) { return std::round(milliseconds * 1e3) / 1e
 
 }  // namespace
 
+nlohmann::ordered_json orderJson(const render::OrderReport& report) {
+  const auto ifChecked = [&](std::uint64_t count) {
+    return report.isChecked ? nlohmann::ordered_json(count) : nlohmann::ordered_json(nullptr);
+  };
+  nlohmann::ordered_json json;
+  json["exact"] = report.isChecked || report.order == render::Order::KBuffer ? nlohmann::ordered_json(report.isExact())
+                                                                             : nlohmann::ordered_json(nullptr);
+  json["faces"] = ifChecked(report.faces);
+  json["misordered"] = ifChecked(report.misordered);
+  json["relations"] = ifChecked(report.relations);
+  json["misordered_relations"] = ifChecked(report.misorderedRelations);
+  json["cyclic_tets"] = report.cyclicCells;
+  json["apart_tets"] = report.apartCells;
+  json["short_pixels"] = report.shortPixels;
+  json["levels"] = report.levels;
+  return json;
+}
+
 double medianPassMs(const std::vector<render::FrameStats>& frames, const std::string& pass) {
   return medianOf(frames, [&](const render::FrameStats& frame) {
     for (const gpu::PassTime& time : frame.passes) {
@@ -59,26 +77,32 @@ nlohmann::ordered_json statsJson(const LoadedScene& loaded, const gpu::DeviceInf
   json["integration"] = "exact";
   json["interpolation"] = "perspective";
   json["projection"] = "pt";
-  json["order"] = "radix";
+  json["order"] = render::orderName(last.order.order);
   json["target"] = render::targetName(target);
   json["frames"] = run.frames.size();
   json["tets"] = loaded.mesh.cellCount();
   json["points"] = loaded.mesh.pointCount();
   json["drawn_tets"] = last.drawnCells;
-  json["near_tets"] = last.nearCells;
+  json["clipped_tets"] = last.clippedCells;
   json["triangles"] = last.triangles;
   json["culled"] = {
       {"no_sample", last.culledNoSample}, {"transparent", last.culledTransparent}, {"outside", last.culledOutside}};
-  json["order_check"] = nullptr;  // centroid order is not checked
+  json["order_check"] = orderJson(last.order);
   json["ms"] = {{"load", rounded(loaded.loadMs)},
                 {"first_frame", rounded(run.firstFrameMs)},
                 {"frame", rounded(medianFrameMs(run.frames))},
                 {"cull", rounded(medianPassMs(run.frames, "cull"))},
+                {"order", rounded(medianPassMs(run.frames, "order"))},
+                {"check", rounded(medianPassMs(run.frames, "check"))},
                 {"sort", rounded(medianPassMs(run.frames, "sort"))},
                 {"project", rounded(medianPassMs(run.frames, "project"))},
                 {"raster", rounded(medianPassMs(run.frames, "raster"))},
+                {"apart", rounded(medianPassMs(run.frames, "apart"))},
                 {"readback", rounded(medianReadbackMs(run.frames))}};
-  json["bytes"] = {{"mesh", memory.meshBytes}, {"frame", memory.frameBytes}, {"tables", memory.tableBytes}};
+  json["bytes"] = {{"mesh", memory.meshBytes},
+                   {"frame", memory.frameBytes},
+                   {"order", memory.orderBytes},
+                   {"tables", memory.tableBytes}};
   return json;
 }
 

@@ -19,6 +19,9 @@ struct RunStats {
 nlohmann::ordered_json statsJson(const LoadedScene& loaded, const gpu::DeviceInfo& device,
                                  const render::Renderer& renderer, render::Target target, const RunStats& run);
 
+// What is known about the order of a frame: the object "order_check". Counts that were not made are null.
+nlohmann::ordered_json orderJson(const render::OrderReport& report);
+
 // Median of a pass's times, ms; 0 when it was not timed.
 double medianPassMs(const std::vector<render::FrameStats>& frames, const std::string& pass);
 double medianFrameMs(const std::vector<render::FrameStats>& frames);

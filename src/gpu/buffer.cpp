@@ -12,6 +12,23 @@ namespace {
 
 constexpr std::uint64_t kStagingBytes = 64ull << 20;
 
+std::uint64_t bytesPerTexel(VkFormat format) {
+  switch (format) {
+    case VK_FORMAT_R8_UINT:
+      return 1;
+    case VK_FORMAT_R32G32_UINT:
+      return 8;
+    case VK_FORMAT_R32_UINT:
+    case VK_FORMAT_R32_SFLOAT:
+      return 4;
+    case VK_FORMAT_R32G32B32A32_UINT:
+    case VK_FORMAT_R32G32B32A32_SFLOAT:
+      return 16;
+    default:
+      checkFailed(__FILE__, __LINE__, "a texel format that nothing here uses");
+  }
+}
+
 VkDeviceMemory allocate(const Context& context, const VkMemoryRequirements& needed, MemoryKind kind,
                         const std::string& name, bool& isMappable) {
   VkMemoryPropertyFlags required = 0;
@@ -83,9 +100,7 @@ Buffer::Buffer(const Context& context, std::uint64_t sizeBytes, MemoryKind kind,
 }
 
 TexelView::TexelView(const Context& context, const Buffer& buffer, VkFormat format, std::uint64_t elements) {
-  const std::uint64_t texelBytes =
-      format == VK_FORMAT_R32G32B32A32_SFLOAT || format == VK_FORMAT_R32G32B32A32_UINT ? 16 : 4;
-  CHECK(texelBytes == 16 || format == VK_FORMAT_R32_SFLOAT || format == VK_FORMAT_R32_UINT);
+  const std::uint64_t texelBytes = bytesPerTexel(format);
   const std::uint64_t available = buffer.sizeBytes() / texelBytes;
   const std::uint64_t wanted = elements == 0 ? available : elements;
   CHECK_LE(wanted, available);
@@ -112,6 +127,7 @@ void upload(const Context& context, const Buffer& buffer, const void* data, std:
     std::memcpy(staging.mapped(), static_cast<const char*>(data) + done, part);
     CommandBuffer commands(context);
     commands.copy(staging, 0, buffer, offsetBytes + done, part);
+    commands.barrier(access::kTransferWrite, access::kAnyRead);
     commands.submitAndWait();
   }
 }
@@ -128,6 +144,7 @@ void download(const Context& context, const Buffer& buffer, void* data, std::uin
   for (std::uint64_t done = 0; done < sizeBytes; done += kStagingBytes) {
     const std::uint64_t part = std::min(kStagingBytes, sizeBytes - done);
     CommandBuffer commands(context);
+    commands.barrier(access::kAnyWrite, access::kTransferRead);
     commands.copy(buffer, offsetBytes + done, staging, 0, part);
     commands.barrier(access::kTransferWrite, access::kHostRead);
     commands.submitAndWait();

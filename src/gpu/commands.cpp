@@ -87,7 +87,7 @@ void CommandBuffer::dispatchGroups(const ComputePipeline& pipeline, std::uint64_
   if (groups.x > 0) vkCmdDispatch(commands_, groups.x, groups.y, 1);
 }
 
-void CommandBuffer::beginRendering(const AttachmentImage& image, bool clear) {
+void CommandBuffer::beginRendering(const AttachmentImage& image, bool clear, Rows rows) {
   VkRenderingAttachmentInfo attachment{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
   attachment.imageView = image.view();
   attachment.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
@@ -99,15 +99,24 @@ void CommandBuffer::beginRendering(const AttachmentImage& image, bool clear) {
   info.colorAttachmentCount = 1;
   info.pColorAttachments = &attachment;
   vkCmdBeginRendering(commands_, &info);
+  setArea(image.width(), image.height(), rows);
+}
+
+void CommandBuffer::beginRendering(std::uint32_t width, std::uint32_t height, Rows rows) {
+  VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
+  info.renderArea = {{0, 0}, {width, height}};
+  info.layerCount = 1;
+  vkCmdBeginRendering(commands_, &info);
+  setArea(width, height, rows);
+}
+
+void CommandBuffer::setArea(std::uint32_t width, std::uint32_t height, Rows rows) {
   // Vulkan's ndc y points down and ours up; a viewport of negative height turns it round.
-  const VkViewport viewport{0.0f,
-                            static_cast<float>(image.height()),
-                            static_cast<float>(image.width()),
-                            -static_cast<float>(image.height()),
-                            0.0f,
-                            1.0f};
+  const VkViewport viewport{
+      0.0f, static_cast<float>(height), static_cast<float>(width), -static_cast<float>(height), 0.0f, 1.0f};
+  const VkRect2D scissor{{0, static_cast<std::int32_t>(rows.first)}, {width, rows.count}};
   vkCmdSetViewport(commands_, 0, 1, &viewport);
-  vkCmdSetScissor(commands_, 0, 1, &info.renderArea);
+  vkCmdSetScissor(commands_, 0, 1, &scissor);
 }
 
 void CommandBuffer::endRendering() { vkCmdEndRendering(commands_); }

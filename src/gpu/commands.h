@@ -29,12 +29,23 @@ inline constexpr Access kVertexRead{
     VK_PIPELINE_STAGE_2_VERTEX_INPUT_BIT | VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT |
         VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
     VK_ACCESS_2_VERTEX_ATTRIBUTE_READ_BIT | VK_ACCESS_2_INDEX_READ_BIT | VK_ACCESS_2_SHADER_READ_BIT};
+inline constexpr Access kFragmentReadWrite{VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
+                                           VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_SHADER_WRITE_BIT};
 inline constexpr Access kColorWrite{VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
                                     VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT};
 inline constexpr Access kTransferWrite{VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
 inline constexpr Access kTransferRead{VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_READ_BIT};
 inline constexpr Access kHostRead{VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT};
+inline constexpr Access kAnyWrite{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT};
+inline constexpr Access kAnyRead{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                                 VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT};
 }  // namespace access
+
+// Rows of an image, from the top.
+struct Rows {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+};
 
 // What a binding is bound to: a buffer (storage or uniform, as the shader declares) or a texel view.
 class Descriptor {
@@ -79,9 +90,20 @@ class CommandBuffer {
     vkCmdDispatchIndirect(commands_, arguments.get(), offsetBytes);
   }
 
-  // Between beginRendering and endRendering: one attachment, cleared to zero or kept.
-  void beginRendering(const AttachmentImage& image, bool clear);
+  // Between beginRendering and endRendering: one attachment, cleared to zero or kept, of which only some rows are
+  // drawn.
+  void beginRendering(const AttachmentImage& image, bool clear) { beginRendering(image, clear, {0, image.height()}); }
+  void beginRendering(const AttachmentImage& image, bool clear, Rows rows);
+  // The same without an attachment: fragment shaders write to buffers.
+  void beginRendering(std::uint32_t width, std::uint32_t height, Rows rows);
   void endRendering();
+  // Triangles without vertex buffers.
+  template <typename Push>
+  void draw(const GraphicsPipeline& pipeline, std::initializer_list<Descriptor> descriptors, const Push& push,
+            std::uint32_t vertexCount) {
+    bind(VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.get(), pipeline.layout(), descriptors, &push, sizeof push);
+    vkCmdDraw(commands_, vertexCount, 1, 0, 0);
+  }
   template <typename Push>
   void drawIndexedIndirect(const GraphicsPipeline& pipeline, std::initializer_list<Descriptor> descriptors,
                            const Push& push, std::initializer_list<const Buffer*> vertexStreams, const Buffer& indices,
@@ -111,6 +133,7 @@ class CommandBuffer {
   }
   void dispatchGroups(const ComputePipeline& pipeline, std::uint64_t threads);
   void bindVertices(std::initializer_list<const Buffer*> streams, const Buffer& indices);
+  void setArea(std::uint32_t width, std::uint32_t height, Rows rows);
   void imageBarrier(const AttachmentImage& image, VkImageLayout from, VkImageLayout to, const Access& before,
                     const Access& after);
 

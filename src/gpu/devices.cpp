@@ -59,8 +59,9 @@ DeviceFeatures::DeviceFeatures() {
 }
 
 void DeviceFeatures::require() {
-  vulkan12.bufferDeviceAddress = VK_TRUE;  // buffers beyond the range limit of a descriptor
-  vulkan12.scalarBlockLayout = VK_TRUE;    // one layout for C++ and GLSL
+  features.features.fragmentStoresAndAtomics = VK_TRUE;  // lists of fragments per pixel
+  vulkan12.bufferDeviceAddress = VK_TRUE;                // buffers beyond the range limit of a descriptor
+  vulkan12.scalarBlockLayout = VK_TRUE;                  // one layout for C++ and GLSL
   vulkan13.dynamicRendering = VK_TRUE;
   vulkan13.synchronization2 = VK_TRUE;
   vulkan13.maintenance4 = VK_TRUE;  // largest buffer size, local sizes by specialisation
@@ -72,6 +73,8 @@ std::string DeviceFeatures::missing(const DeviceFeatures& required) const {
   const auto compare = [&](VkBool32 wanted, VkBool32 offered, const char* name) {
     if (wanted && !offered) names += fmt::format("{}{}", names.empty() ? "" : ", ", name);
   };
+  compare(required.features.features.fragmentStoresAndAtomics, features.features.fragmentStoresAndAtomics,
+          "fragmentStoresAndAtomics");
   compare(required.vulkan12.bufferDeviceAddress, vulkan12.bufferDeviceAddress, "bufferDeviceAddress");
   compare(required.vulkan12.scalarBlockLayout, vulkan12.scalarBlockLayout, "scalarBlockLayout");
   compare(required.vulkan13.dynamicRendering, vulkan13.dynamicRendering, "dynamicRendering");

@@ -58,7 +58,7 @@ struct VertexStream {
 
 struct GraphicsState {
   std::vector<VertexStream> streams;
-  VkFormat colorFormat = VK_FORMAT_UNDEFINED;
+  VkFormat colorFormat = VK_FORMAT_UNDEFINED;  // undefined: no attachment, the fragment shader writes to buffers
   bool blendOver = true;  // premultiplied source over destination; otherwise the source replaces it
 };
 

@@ -13,16 +13,22 @@ constexpr std::uint32_t kLargestPassCount = 2048;
 
 PassTiming bestTiming(const DeviceInfo& info) { return info.isCpu ? PassTiming::Submits : PassTiming::Timestamps; }
 
-Recorder::Recorder(const Context& context, PassTiming timing)
-    : context_(context), timing_(timing), commands_(std::make_unique<CommandBuffer>(context)) {
-  if (timing_ != PassTiming::Timestamps) return;
-  VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
-  info.queryType = VK_QUERY_TYPE_TIMESTAMP;
-  info.queryCount = 2 * kLargestPassCount;
-  VkQueryPool pool = VK_NULL_HANDLE;
-  VK_CHECK(vkCreateQueryPool(context.device(), &info, nullptr, &pool));
-  queries_ = {context.device(), pool, vkDestroyQueryPool};
-  vkCmdResetQueryPool(commands_->get(), pool, 0, info.queryCount);
+Recorder::Recorder(const Context& context, PassTiming timing) : context_(context), timing_(timing) {
+  if (timing_ == PassTiming::Timestamps) {
+    VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
+    info.queryType = VK_QUERY_TYPE_TIMESTAMP;
+    info.queryCount = 2 * kLargestPassCount;
+    VkQueryPool pool = VK_NULL_HANDLE;
+    VK_CHECK(vkCreateQueryPool(context.device(), &info, nullptr, &pool));
+    queries_ = {context.device(), pool, vkDestroyQueryPool};
+  }
+  begin();
+}
+
+void Recorder::begin() {
+  commands_ = std::make_unique<CommandBuffer>(context_);
+  if (timing_ == PassTiming::Timestamps)
+    vkCmdResetQueryPool(commands_->get(), queries_.get(), 0, 2 * kLargestPassCount);
 }
 
 CommandBuffer& Recorder::pass(const std::string& name) {
@@ -43,20 +49,29 @@ void Recorder::endPass() {
     vkCmdWriteTimestamp2(commands_->get(), VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_.get(),
                          static_cast<std::uint32_t>(2 * stampedPasses_.size() - 1));
   } else if (timing_ == PassTiming::Submits) {
-    addTime(currentPass_, commands_->submitAndWait());
-    commands_ = std::make_unique<CommandBuffer>(context_);
+    commands_->barrier(access::kAnyWrite, access::kAnyRead | access::kHostRead);
+    const double milliseconds = commands_->submitAndWait();
+    addTime(currentPass_, milliseconds);
+    totalMs_ += milliseconds;
+    begin();
   }
   currentPass_.clear();
 }
 
-void Recorder::finish() {
+void Recorder::sync() {
   endPass();
-  if (timing_ == PassTiming::Submits) {
-    for (const PassTime& time : times_) totalMs_ += time.gpuMs;
-    return;
-  }
-  totalMs_ = commands_->submitAndWait();
-  if (timing_ != PassTiming::Timestamps || stampedPasses_.empty()) return;
+  if (timing_ == PassTiming::Submits) return;  // every pass has run already
+  commands_->barrier(access::kAnyWrite, access::kAnyRead | access::kHostRead);
+  const double milliseconds = commands_->submitAndWait();
+  if (timing_ == PassTiming::Timestamps)
+    collectTimestamps();
+  else
+    totalMs_ += milliseconds;
+  begin();
+}
+
+void Recorder::collectTimestamps() {
+  if (stampedPasses_.empty()) return;
   std::vector<std::uint64_t> ticks(2 * stampedPasses_.size());
   VK_CHECK(vkGetQueryPoolResults(context_.device(), queries_.get(), 0, static_cast<std::uint32_t>(ticks.size()),
                                  ticks.size() * sizeof ticks[0], ticks.data(), sizeof ticks[0],
@@ -64,7 +79,8 @@ void Recorder::finish() {
   const double msPerTick = static_cast<double>(context_.timestampPeriodNs()) * 1e-6;
   for (size_t i = 0; i < stampedPasses_.size(); i++)
     addTime(stampedPasses_[i], static_cast<double>(ticks[2 * i + 1] - ticks[2 * i]) * msPerTick);
-  totalMs_ = static_cast<double>(ticks.back() - ticks.front()) * msPerTick;
+  totalMs_ += static_cast<double>(ticks.back() - ticks.front()) * msPerTick;
+  stampedPasses_.clear();
 }
 
 void Recorder::addTime(const std::string& name, double gpuMs) {

@@ -31,16 +31,18 @@ class Recorder {
   // Starts a pass; the one before ends here. Names may repeat, their times are added up.
   CommandBuffer& pass(const std::string& name);
 
-  // Ends the last pass, runs what has not run yet and waits.
-  void finish();
+  // Ends the last pass, runs what has not run yet and waits: results can be read on the host. Recording may go on.
+  void sync();
 
-  // After finish(): one entry per name in order of first use; empty when timing is off.
+  // After sync(): one entry per name in order of first use; empty when timing is off.
   const std::vector<PassTime>& passTimes() const { return times_; }
-  // After finish(): from the first submission to the last pass's end, ms.
+  // After sync(): what all that was recorded took, ms. The host's work between submissions is left out.
   double totalMs() const { return totalMs_; }
 
  private:
   void endPass();
+  void begin();
+  void collectTimestamps();
   void addTime(const std::string& name, double gpuMs);
 
   const Context& context_;

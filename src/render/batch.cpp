@@ -20,12 +20,10 @@ std::vector<std::uint32_t> fanIndices(std::uint32_t cells) {
 
 }  // namespace
 
-BatchStorage::BatchStorage(const gpu::Context& context, std::uint32_t cellCount)
-    : batchCount((cellCount + shared::BATCH_CELLS - 1) / shared::BATCH_CELLS) {
+BatchStorage::BatchStorage(const gpu::Context& context, std::uint32_t cellCount) {
   const std::uint32_t cells = std::min(cellCount, shared::BATCH_CELLS);
   const std::uint64_t vertices = std::uint64_t{cells} * shared::FAN_VERTICES;
-  arguments = gpu::Buffer(context, std::uint64_t{batchCount} * sizeof(shared::BatchArguments), MemoryKind::Device,
-                          "batch arguments");
+  arguments = gpu::Buffer(context, sizeof(shared::BatchArguments), MemoryKind::Device, "batch arguments");
   positions = gpu::Buffer(context, vertices * 8, MemoryKind::Device, "fan positions");
   ends = gpu::Buffer(context, vertices * 16, MemoryKind::Device, "fan ends");
   modes = gpu::Buffer(context, std::uint64_t{cells} * 4, MemoryKind::Device, "cell modes");

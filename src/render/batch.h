@@ -1,4 +1,4 @@
-// Cells are projected and drawn in batches of BATCH_CELLS: what one batch and all of them need on the device.
+// Cells are projected and drawn in batches of up to BATCH_CELLS: what a batch needs on the device.
 #pragma once
 
 #include "gpu/buffer.h"
@@ -8,8 +8,7 @@
 namespace tetralux::render {
 
 struct BatchStorage {
-  std::uint32_t batchCount = 0;
-  gpu::Buffer arguments;  // BatchArguments per batch
+  gpu::Buffer arguments;  // BatchArguments
   gpu::Buffer positions;  // vec2 ndc, FAN_VERTICES per cell
   gpu::Buffer ends;       // vec4, FAN_VERTICES per cell
   gpu::Buffer modes;      // uint per cell

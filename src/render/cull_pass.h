@@ -15,7 +15,7 @@ class CullPass {
 
   // Records the pass. Counters must be zero; they and the keys are written.
   //   view       FrameView
-  //   keys       one per cell: KEY_CULLED, or smaller for cells farther away
+  //   keys       one per cell: smaller for cells farther away, KEY_TRANSPARENT | key, or KEY_OUTSIDE
   //   counters   FrameCounters: outside, noSample, transparent
   void record(gpu::CommandBuffer& commands, const FrameVariant& variant, const GpuMesh& mesh,
               const TransferBuffer& transfer, const gpu::Buffer& view, const gpu::Buffer& keys,

@@ -1,64 +1,144 @@
 #include "render/frame.h"
 
+#include <algorithm>
+
 namespace tetralux::render {
+namespace {
 
 using namespace gpu::access;
+
+// A frame being recorded.
+struct Frame {
+  gpu::Recorder& recorder;
+  const FrameInputs& inputs;
+  FramePasses& passes;
+  FrameStorage& storage;
+  const gpu::AttachmentImage& target;
+  bool isCleared = false;  // the target holds what was drawn so far
+};
+
+// The first pass that draws into the target finds it empty.
+bool takeClear(Frame& frame, gpu::CommandBuffer& commands) {
+  if (frame.isCleared) return false;
+  commands.prepareAttachment(frame.target);
+  frame.isCleared = true;
+  return true;
+}
+
+template <typename Draw>
+void forEachBatch(SlotSpan slots, const Draw& draw) {
+  for (std::uint32_t first = slots.first; first < slots.end;) {
+    const std::uint32_t end = first + std::min(shared::BATCH_CELLS, slots.end - first);
+    draw(SlotSpan{first, end});
+    first = end;
+  }
+}
+
+void recordProject(Frame& frame, const CellSequence& sequence, SlotSpan batch, bool isCounted) {
+  gpu::CommandBuffer& commands = frame.recorder.pass("project");
+  frame.passes.project.recordBatch(commands, frame.inputs.variant, frame.inputs.mesh, frame.inputs.transfer,
+                                   frame.storage.view, sequence, batch, frame.storage.counters, frame.storage.batches,
+                                   isCounted);
+}
+
+// project, raster: cells one after the other, each over what lies behind
+void drawInOrder(Frame& frame, const CellSequence& sequence, SlotSpan slots) {
+  forEachBatch(slots, [&](SlotSpan batch) {
+    recordProject(frame, sequence, batch, /*isCounted=*/true);
+    gpu::CommandBuffer& commands = frame.recorder.pass("raster");
+    const bool clear = takeClear(frame, commands);
+    frame.passes.raster.recordBatch(commands, frame.inputs.variant, frame.inputs.setup.raster, frame.inputs.transfer,
+                                    frame.storage.batches, frame.target, clear);
+    commands.barrier(kVertexRead | kColorWrite, kComputeWrite | kColorWrite);  // the next batch reuses the fans
+  });
+}
+
+// project, apart: cells into lists per pixel, a band of rows at a time, then the lists over what lies behind
+void drawApart(Frame& frame, const CellSequence& sequence, SlotSpan slots) {
+  const ImageSize size = frame.inputs.size;
+  std::unique_ptr<PixelLists>& lists = frame.storage.lists;
+  if (!lists || lists->size().width != size.width || lists->size().height != size.height) {
+    lists.reset();
+    lists = std::make_unique<PixelLists>(frame.inputs.context, size, /*withColors=*/true);
+  }
+  bool isCounted = true;
+  for (std::uint32_t row = 0; row < size.height;) {
+    const shared::PixelBand band = lists->bandFrom(row);
+    {
+      gpu::CommandBuffer& commands = frame.recorder.pass("apart");
+      lists->recordClearCounts(commands);
+      lists->recordClearLists(commands);
+      commands.barrier(kTransferWrite, kFragmentReadWrite);
+    }
+    forEachBatch(slots, [&](SlotSpan batch) {
+      recordProject(frame, sequence, batch, isCounted);
+      gpu::CommandBuffer& commands = frame.recorder.pass("apart");
+      frame.passes.apart.recordStore(commands, frame.inputs.variant, frame.inputs.setup.raster, frame.inputs.transfer,
+                                     frame.storage.batches, batch.first, *lists, band, sequence.kBuffer);
+      commands.barrier(kVertexRead | kFragmentReadWrite, kComputeWrite | kFragmentReadWrite);
+    });
+    isCounted = false;
+    frame.recorder.sync();
+    if (lists->grow()) continue;
+    gpu::CommandBuffer& commands = frame.recorder.pass("apart");
+    frame.passes.apart.recordResolve(commands, *lists, band, sequence.kBuffer, frame.storage.shortPixels);
+    commands.barrier(kComputeWrite, kFragmentReadWrite);
+    const bool clear = takeClear(frame, commands);
+    frame.passes.apart.recordBlend(commands, *lists, band, frame.target, clear);
+    commands.barrier(kFragmentReadWrite | kColorWrite, kTransferWrite | kFragmentReadWrite | kColorWrite);
+    row += band.rowCount;
+  }
+}
+
+}  // namespace
 
 FrameStorage::FrameStorage(const gpu::Context& context, std::uint32_t cellCount, SortVariant sortVariant)
     : sort(context, cellCount, sortVariant),
       batches(context, cellCount),
       view(context, sizeof(shared::FrameView), gpu::MemoryKind::Device, "frame view"),
-      counters(context, sizeof(shared::FrameCounters), gpu::MemoryKind::Device, "frame counters") {}
+      counters(context, sizeof(shared::FrameCounters), gpu::MemoryKind::Device, "frame counters"),
+      shortPixels(context, sizeof(std::uint32_t), gpu::MemoryKind::Device, "short pixels") {}
 
 std::uint64_t FrameStorage::sizeBytes() const {
-  return sort.sizeBytes() + batches.sizeBytes() + view.sizeBytes() + counters.sizeBytes();
+  return sort.sizeBytes() + batches.sizeBytes() + view.sizeBytes() + counters.sizeBytes() + shortPixels.sizeBytes() +
+         (lists ? lists->sizeBytes() : 0);
 }
 
-FramePasses::FramePasses(const gpu::Context& context, SortVariant sortVariant)
-    : cull(context), sort(context, sortVariant), project(context), raster(context) {}
+FramePasses::FramePasses(const gpu::Context& context)
+    : cull(context), project(context), raster(context), apart(context) {}
 
-void recordFrame(gpu::Recorder& recorder, const FrameInputs& inputs, FramePasses& passes, FrameStorage& storage,
-                 const gpu::AttachmentImage& target) {
-  const auto& [mesh, transfer, setup, variant] = inputs;
-  const std::uint32_t keyBits = setup.view.keyBits;
+OrderReport drawFrame(gpu::Recorder& recorder, const FrameInputs& inputs, FramePasses& passes, CellOrder& order,
+                      FrameStorage& storage, const gpu::AttachmentImage& target) {
+  Frame frame{recorder, inputs, passes, storage, target};
 
-  // cull: a sort key for every cell that can show
+  // cull: a sort key for every cell that a pixel's ray meets
   {
     gpu::CommandBuffer& commands = recorder.pass("cull");
     commands.fill(storage.counters, 0);
+    commands.fill(storage.shortPixels, 0);
     commands.barrier(kTransferWrite, kComputeReadWrite);
-    passes.cull.record(commands, variant, mesh, transfer, storage.view, storage.sort.keys(), storage.counters);
+    passes.cull.record(commands, inputs.variant, inputs.mesh, inputs.transfer, storage.view, storage.sort.keys(),
+                       storage.counters);
     commands.barrier(kComputeWrite, kComputeReadWrite);
   }
 
-  // sort: those cells, farthest first
-  {
-    gpu::CommandBuffer& commands = recorder.pass("sort");
-    passes.sort.record(commands, storage.sort, keyBits, variant.wideAddressing);
-    commands.barrier(kComputeWrite, kComputeReadWrite);
-  }
+  // order, check, sort: the cells that can be seen, those behind first
+  CellSequence sequence = order.record({recorder, inputs.mesh, inputs.setup, inputs.variant, inputs.size, storage.view,
+                                        storage.sort, inputs.checkOrder});
 
-  for (std::uint32_t batch = 0; batch < storage.batches.batchCount; batch++) {
-    // project: the batch's cells to fans of triangles
-    {
-      gpu::CommandBuffer& commands = recorder.pass("project");
-      if (batch == 0) {
-        passes.project.recordArguments(commands, storage.sort.kept(), storage.counters, storage.batches);
-        commands.barrier(kComputeWrite, kIndirectRead | kComputeReadWrite);
-      }
-      passes.project.recordBatch(commands, variant, mesh, storage.view, storage.sort.order(keyBits),
-                                 storage.sort.orderView(keyBits), storage.counters, storage.batches, batch);
-      commands.barrier(kComputeWrite, kVertexRead | kComputeReadWrite);
-    }
-
-    // raster: light through every cell of the batch, over what lies behind
-    {
-      gpu::CommandBuffer& commands = recorder.pass("raster");
-      if (batch == 0) commands.prepareAttachment(target);
-      passes.raster.recordBatch(commands, variant, setup.raster, transfer, storage.batches, batch, target);
-      commands.barrier(kVertexRead | kColorWrite, kComputeWrite | kColorWrite);  // the next batch reuses the fans
-    }
+  // project, raster, apart: light through the cells, from the back
+  std::uint32_t next = 0;
+  for (const SlotSpan& apart : sequence.apart) {
+    drawInOrder(frame, sequence, {next, apart.first});
+    drawApart(frame, sequence, apart);
+    next = apart.end;
   }
+  drawInOrder(frame, sequence, {next, inputs.mesh.cellCount()});
+
+  recorder.sync();
+  if (sequence.kBuffer > 0)
+    sequence.report.shortPixels = gpu::downloadVector<std::uint32_t>(inputs.context, storage.shortPixels, 1)[0];
+  return sequence.report;
 }
 
 }  // namespace tetralux::render

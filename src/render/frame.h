@@ -4,10 +4,12 @@
 #include <memory>
 
 #include "gpu/recorder.h"
+#include "render/apart_pass.h"
 #include "render/batch.h"
 #include "render/cull_pass.h"
 #include "render/frame_view.h"
 #include "render/gpu_mesh.h"
+#include "render/order/cell_order.h"
 #include "render/project_pass.h"
 #include "render/raster_pass.h"
 #include "render/sort_pass.h"
@@ -20,8 +22,10 @@ namespace tetralux::render {
 struct FrameStorage {
   SortStorage sort;
   BatchStorage batches;
-  gpu::Buffer view;      // FrameView
-  gpu::Buffer counters;  // FrameCounters
+  gpu::Buffer view;                   // FrameView
+  gpu::Buffer counters;               // FrameCounters
+  gpu::Buffer shortPixels;            // one uint
+  std::unique_ptr<PixelLists> lists;  // made when cells are composited apart
 
   FrameStorage(const gpu::Context& context, std::uint32_t cellCount, SortVariant sortVariant);
   std::uint64_t sizeBytes() const;
@@ -30,23 +34,26 @@ struct FrameStorage {
 // The passes, in no order.
 struct FramePasses {
   CullPass cull;
-  SortPass sort;
   ProjectPass project;
   RasterPass raster;
+  ApartPass apart;
 
-  FramePasses(const gpu::Context& context, SortVariant sortVariant);
+  explicit FramePasses(const gpu::Context& context);
 };
 
 // Everything that one frame reads.
 struct FrameInputs {
+  const gpu::Context& context;
   const GpuMesh& mesh;
   const TransferBuffer& transfer;
   const FrameSetup& setup;
   FrameVariant variant;
+  ImageSize size;
+  bool checkOrder = false;  // count what the order gets wrong
 };
 
-// Records a frame into `target`, whose old content is forgotten.
-void recordFrame(gpu::Recorder& recorder, const FrameInputs& inputs, FramePasses& passes, FrameStorage& storage,
-                 const gpu::AttachmentImage& target);
+// Draws a frame into `target`, whose old content is forgotten, and waits for it. Returns how right the order was.
+OrderReport drawFrame(gpu::Recorder& recorder, const FrameInputs& inputs, FramePasses& passes, CellOrder& order,
+                      FrameStorage& storage, const gpu::AttachmentImage& target);
 
 }  // namespace tetralux::render

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "shared/near_cells.h"
+#include "shared/clipped_cells.h"
 
 namespace tetralux::render {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "mesh/vertex_buckets.h"
 
 namespace tetralux::render {
 namespace {
@@ -20,6 +21,15 @@ gpu::Buffer makeVertexBuffer(const gpu::Context& context, const TetMesh& mesh, c
       vertices[i] = glm::vec4(space.position(mesh.point(i)), hasScalar ? space.scalar(field.values[i]) : 0.0f);
   });
   return gpu::makeBuffer(context, vertices, "mesh vertices");
+}
+
+// Vertices in ascending order: a cell is a set of points, and two cells that share a face then name it alike.
+gpu::Buffer makeCellBuffer(const gpu::Context& context, const TetMesh& mesh) {
+  std::vector<CellVertices> cells(mesh.cellCount());
+  parallelFor(cells.size(), kGrain, [&](size_t begin, size_t end, unsigned) {
+    for (size_t i = begin; i < end; i++) cells[i] = sortedVertices(mesh.cells[i]);
+  });
+  return gpu::makeBuffer(context, cells, "mesh cells");
 }
 
 gpu::Buffer makeCellScalarBuffer(const gpu::Context& context, const ScalarField& field, const MeshSpace& space) {
@@ -45,7 +55,7 @@ GpuMesh::GpuMesh(const gpu::Context& context, const TetMesh& mesh, const ScalarF
       vertexCount_(checkedCount(mesh.pointCount(), "points")),
       isCellField_(field.association == FieldAssociation::Cell),
       vertexBuffer_(makeVertexBuffer(context, mesh, field, space_)),
-      cellBuffer_(gpu::makeBuffer(context, mesh.cells, "mesh cells")),
+      cellBuffer_(makeCellBuffer(context, mesh)),
       cellScalarBuffer_(makeCellScalarBuffer(context, field, space_)),
       vertexView_(context, vertexBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT),
       cellView_(context, cellBuffer_, VK_FORMAT_R32G32B32A32_UINT),

@@ -16,8 +16,8 @@ struct MeshAddresses {
   VkDeviceAddress cellScalars;
 };
 
-// Vertices (position in mesh space, scalar), cells (four indices) and, for a cell field, one scalar per cell.
-// 16 bytes per vertex, 16 (or 20) per cell.
+// Vertices (position in mesh space, scalar), cells (four indices, ascending) and, for a cell field, one scalar per
+// cell. 16 bytes per vertex, 16 (or 20) per cell.
 class GpuMesh {
  public:
   // Throws Error(Device) when it does not fit the device. The mesh itself is not kept.

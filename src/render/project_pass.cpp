@@ -9,7 +9,8 @@ struct ProjectPush {
   MeshAddresses mesh;
   VkDeviceAddress order;
   std::uint32_t firstSlot;
-  std::uint32_t slotCount;
+  std::uint32_t endSlot;
+  std::uint32_t isCounted;
 };
 
 std::vector<std::uint32_t> truthTableWords() {
@@ -20,25 +21,25 @@ std::vector<std::uint32_t> truthTableWords() {
 }  // namespace
 
 ProjectPass::ProjectPass(const gpu::Context& context)
-    : arguments_(context, "project/batches.comp"),
+    : arguments_(context, "project/batch.comp"),
       project_(context, "project/project.comp"),
       truthTable_(gpu::makeBuffer(context, truthTableWords(), "truth table")),
       truthTableView_(context, truthTable_, VK_FORMAT_R32_UINT) {}
 
-void ProjectPass::recordArguments(gpu::CommandBuffer& commands, const gpu::Buffer& kept, const gpu::Buffer& counters,
-                                  const BatchStorage& batches) {
-  commands.dispatch(arguments_.get({}), {kept, counters, batches.arguments}, batches.batchCount, batches.batchCount);
-}
-
 void ProjectPass::recordBatch(gpu::CommandBuffer& commands, const FrameVariant& variant, const GpuMesh& mesh,
-                              const gpu::Buffer& view, const gpu::Buffer& order, const gpu::TexelView& orderView,
-                              const gpu::Buffer& counters, const BatchStorage& batches, std::uint32_t batch) {
-  const ProjectPush push{mesh.addresses(), order.address(), batch * shared::BATCH_CELLS, mesh.cellCount()};
-  commands.dispatchIndirect(project_.get(variant.specConstants()),
-                            {view, mesh.cells(), mesh.vertices(), mesh.cellScalars(), truthTableView_, orderView,
-                             counters, batches.positions, batches.ends, batches.modes},
-                            push, batches.arguments,
-                            batch * sizeof(shared::BatchArguments) + offsetof(shared::BatchArguments, groupsX));
+                              const TransferBuffer& transfer, const gpu::Buffer& view, const CellSequence& sequence,
+                              SlotSpan slots, const gpu::Buffer& counters, const BatchStorage& batches,
+                              bool isCounted) {
+  using namespace gpu::access;
+  commands.dispatch(arguments_.get({}), {*sequence.kept, counters, batches.arguments}, slots, 1);
+  commands.barrier(kComputeWrite, kIndirectRead | kComputeReadWrite);
+  const ProjectPush push{mesh.addresses(), sequence.order->address(), slots.first, slots.end, isCounted};
+  commands.dispatchIndirect(
+      project_.get(variant.specConstants()),
+      {view, mesh.cells(), mesh.vertices(), mesh.cellScalars(), truthTableView_, *sequence.orderView, counters,
+       batches.positions, batches.ends, batches.modes, transfer.largestExtinction()},
+      push, batches.arguments, offsetof(shared::BatchArguments, groupsX));
+  commands.barrier(kComputeWrite, kVertexRead | kComputeReadWrite);
 }
 
 }  // namespace tetralux::render

@@ -3,8 +3,9 @@
 
 #include "render/batch.h"
 #include "render/gpu_mesh.h"
+#include "render/order/cell_order.h"
 #include "render/pipeline_variants.h"
-#include "render/sort_pass.h"
+#include "render/transfer_buffer.h"
 
 namespace tetralux::render {
 
@@ -12,14 +13,13 @@ class ProjectPass {
  public:
   explicit ProjectPass(const gpu::Context& context);
 
-  // Once per frame, after the sort: how large every batch is. Writes the arguments and counters.drawn.
-  void recordArguments(gpu::CommandBuffer& commands, const gpu::Buffer& kept, const gpu::Buffer& counters,
-                       const BatchStorage& batches);
-
-  // Projects one batch. Writes positions, ends, modes; adds to counters.triangles and nearCells.
+  // Projects the cells of some slots, at most BATCH_CELLS. Writes the batch's arguments, positions, ends, modes and
+  // counters.drawn; adds to counters.triangles and clipped unless they were projected before in this frame.
+  //   slots     first, and behind the last; may go beyond those kept
+  //   sequence  cells in drawing order
   void recordBatch(gpu::CommandBuffer& commands, const FrameVariant& variant, const GpuMesh& mesh,
-                   const gpu::Buffer& view, const gpu::Buffer& order, const gpu::TexelView& orderView,
-                   const gpu::Buffer& counters, const BatchStorage& batches, std::uint32_t batch);
+                   const TransferBuffer& transfer, const gpu::Buffer& view, const CellSequence& sequence,
+                   SlotSpan slots, const gpu::Buffer& counters, const BatchStorage& batches, bool isCounted);
 
  private:
   ComputeVariants arguments_;

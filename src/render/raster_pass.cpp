@@ -11,24 +11,24 @@ RasterPass::RasterPass(const gpu::Context& context)
       fragment_(loadShader(context, "raster/fan.frag")) {}
 
 void RasterPass::recordBatch(gpu::CommandBuffer& commands, const FrameVariant& variant, const shared::RasterPush& push,
-                             const TransferBuffer& transfer, const BatchStorage& batches, std::uint32_t batch,
-                             const gpu::AttachmentImage& target) {
-  commands.beginRendering(target, /*clear=*/batch == 0);
+                             const TransferBuffer& transfer, const BatchStorage& batches,
+                             const gpu::AttachmentImage& target, bool clear) {
+  commands.beginRendering(target, clear);
   commands.drawIndexedIndirect(pipeline(variant, target.format()),
                                {batches.modesView, batches.endsView, transfer.pieces(), transfer.pieceBins()}, push,
                                {&batches.positions, &batches.ends}, batches.indices, batches.arguments,
-                               batch * sizeof(shared::BatchArguments) + offsetof(shared::BatchArguments, indexCount));
+                               offsetof(shared::BatchArguments, indexCount));
   commands.endRendering();
 }
 
 const gpu::GraphicsPipeline& RasterPass::pipeline(const FrameVariant& variant, VkFormat format) {
-  const Key key{variant.perspective, variant.nearCells, format};
+  const Key key{variant.perspective, format};
   const auto found = pipelines_.find(key);
   if (found != pipelines_.end()) return found->second;
   gpu::GraphicsState state;
   state.streams = {{VK_FORMAT_R32G32_SFLOAT, 8}, {VK_FORMAT_R32G32B32A32_SFLOAT, 16}};
   state.colorFormat = format;
-  const gpu::SpecConstants constants = {{SPEC_PERSPECTIVE, variant.perspective}, {SPEC_NEAR_CELLS, variant.nearCells}};
+  const gpu::SpecConstants constants = {{SPEC_PERSPECTIVE, variant.perspective}};
   return pipelines_.emplace(key, gpu::GraphicsPipeline(context_, vertex_, fragment_, state, constants)).first->second;
 }
 

@@ -13,10 +13,10 @@ class RasterPass {
  public:
   explicit RasterPass(const gpu::Context& context);
 
-  // Draws one batch, projected before, into the attachment. The first batch clears it.
+  // Draws a batch, projected before, into the attachment.
   void recordBatch(gpu::CommandBuffer& commands, const FrameVariant& variant, const shared::RasterPush& push,
-                   const TransferBuffer& transfer, const BatchStorage& batches, std::uint32_t batch,
-                   const gpu::AttachmentImage& target);
+                   const TransferBuffer& transfer, const BatchStorage& batches, const gpu::AttachmentImage& target,
+                   bool clear);
 
  private:
   const gpu::GraphicsPipeline& pipeline(const FrameVariant& variant, VkFormat format);
@@ -25,7 +25,7 @@ class RasterPass {
   gpu::Shader vertex_;
   gpu::Shader fragment_;
   struct Key {
-    bool perspective, nearCells;
+    bool perspective;
     VkFormat format;
     auto operator<=>(const Key&) const = default;
   };

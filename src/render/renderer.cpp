@@ -4,12 +4,12 @@
 
 #include "base/check.h"
 #include "base/parallel.h"
+#include "mesh/adjacency.h"
+#include "mesh/overlaps.h"
+#include "render/order/make_order.h"
 
 namespace tetralux::render {
 namespace {
-
-// Distances are compared in single precision: more key bits than its significand has would sort rounding errors.
-constexpr std::uint32_t kKeyBits = 24;
 
 VkFormat formatOf(Target target) {
   return target == Target::Rgba32f ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT;
@@ -34,8 +34,15 @@ Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const Scala
     : context_(context),
       mesh_(context, mesh, field),
       wideAddressing_(options.forceWideAddressing || needsWideAddressing(context.info(), mesh_)),
-      passes_(context, sortVariant(context, options)),
-      storage_(context, mesh_.cellCount(), sortVariant(context, options)) {}
+      checkOrder_(options.checkOrder),
+      passes_(context),
+      storage_(context, mesh_.cellCount(), sortVariant(context, options)) {
+  if (options.checkOrder || needsVisibility(options.order)) {
+    const Adjacency adjacency = makeAdjacency(mesh);
+    visibility_ = std::make_unique<VisibilityKit>(context, adjacency, findOverlaps(mesh, adjacency));
+  }
+  order_ = makeOrder(context, options.order, options.kBuffer, sortVariant(context, options), visibility_.get());
+}
 
 void Renderer::setTransferFunction(const TransferFunction& transfer) {
   transfer_ = std::make_unique<TransferBuffer>(context_, transfer, mesh_.space());
@@ -44,7 +51,7 @@ void Renderer::setTransferFunction(const TransferFunction& transfer) {
 FrameStats Renderer::draw(const Camera& camera, ImageSize size, const RenderOptions& options) {
   CHECK(transfer_ != nullptr);
   const FrameSetup setup =
-      makeFrameSetup(camera, size, mesh_.space(), mesh_.cellCount(), transfer_->supportCount(), kKeyBits);
+      makeFrameSetup(camera, size, mesh_.space(), mesh_.cellCount(), transfer_->supportCount(), kCentroidKeyBits);
   const VkFormat format = formatOf(options.target);
   if (!target_ || target_->width() != size.width || target_->height() != size.height || target_->format() != format) {
     readback_.reset();
@@ -59,18 +66,19 @@ FrameStats Renderer::draw(const Camera& camera, ImageSize size, const RenderOpti
   variant.nearCells = setup.nearCells;
   variant.wideAddressing = wideAddressing_;
   gpu::Recorder recorder(context_, options.timed ? gpu::bestTiming(context_.info()) : gpu::PassTiming::Off);
-  recordFrame(recorder, {mesh_, *transfer_, setup, variant}, passes_, storage_, *target_);
-  recorder.finish();
+  const OrderReport order = drawFrame(recorder, {context_, mesh_, *transfer_, setup, variant, size, checkOrder_},
+                                      passes_, *order_, storage_, *target_);
 
   shared::FrameCounters counters;
   gpu::download(context_, storage_.counters, &counters, sizeof counters);
   FrameStats stats;
   stats.drawnCells = counters.drawn;
   stats.triangles = counters.triangles;
-  stats.nearCells = counters.nearCells;
+  stats.clippedCells = counters.clipped;
   stats.culledOutside = counters.outside;
   stats.culledNoSample = counters.noSample;
   stats.culledTransparent = counters.transparent;
+  stats.order = order;
   stats.passes = recorder.passTimes();
   stats.frameMs = recorder.totalMs();
   return stats;
@@ -102,6 +110,7 @@ MemoryUse Renderer::memoryUse() const {
   use.meshBytes = mesh_.sizeBytes();
   use.frameBytes =
       storage_.sizeBytes() + (target_ ? target_->sizeBytes() : 0) + (readback_ ? readback_->sizeBytes() : 0);
+  use.orderBytes = order_->sizeBytes() + (visibility_ ? visibility_->sizeBytes() : 0);
   use.tableBytes = transfer_ ? transfer_->sizeBytes() : 0;
   return use;
 }

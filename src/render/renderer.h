@@ -11,6 +11,7 @@
 #include "image/image.h"
 #include "mesh/tet_mesh.h"
 #include "render/frame.h"
+#include "render/order/order_check.h"
 #include "view/camera.h"
 #include "volume/transfer_function.h"
 
@@ -32,23 +33,28 @@ struct RendererOptions {
   // is needed; forced for tests.
   bool forceWideAddressing = false;
   std::optional<SortVariant> sortVariant;  // nothing: the best for the device
+  Order order = Order::Auto;
+  std::uint32_t kBuffer = 6;  // segments buffered per pixel by Order::KBuffer, 1 to KBUFFER_LARGEST
+  bool checkOrder = false;    // count what the order gets wrong, every frame (costs about as much as the cull pass)
 };
 
 struct FrameStats {
   std::uint64_t drawnCells = 0;
   std::uint64_t triangles = 0;
-  std::uint64_t nearCells = 0;
+  std::uint64_t clippedCells = 0;  // drawn by clipping rays against their faces
   std::uint64_t culledOutside = 0;
   std::uint64_t culledNoSample = 0;
   std::uint64_t culledTransparent = 0;
   std::vector<gpu::PassTime> passes;  // when timed
-  double frameMs = 0.0;               // device work until the picture is ready there
-  double readbackMs = 0.0;            // picture to host memory
+  OrderReport order;
+  double frameMs = 0.0;     // device work until the picture is ready there
+  double readbackMs = 0.0;  // picture to host memory
 };
 
 struct MemoryUse {
   std::uint64_t meshBytes = 0;
   std::uint64_t frameBytes = 0;
+  std::uint64_t orderBytes = 0;
   std::uint64_t tableBytes = 0;
 };
 
@@ -75,8 +81,11 @@ class Renderer {
   const gpu::Context& context_;
   GpuMesh mesh_;
   bool wideAddressing_;
+  bool checkOrder_;
   FramePasses passes_;
   FrameStorage storage_;
+  std::unique_ptr<VisibilityKit> visibility_;
+  std::unique_ptr<CellOrder> order_;
   std::unique_ptr<TransferBuffer> transfer_;
   std::unique_ptr<gpu::AttachmentImage> target_;
   std::unique_ptr<gpu::Buffer> readback_;

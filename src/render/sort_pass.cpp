@@ -32,10 +32,6 @@ struct DownsweepPush {
   std::uint32_t shift;
 };
 
-std::uint32_t rounds(std::uint32_t keyBits) {
-  return (keyBits + shared::SORT_DIGIT_BITS - 1) / shared::SORT_DIGIT_BITS;
-}
-
 std::uint32_t columnCount(std::uint32_t cellCount, SortVariant variant) {
   const bool isChunks = variant == SortVariant::Chunks;
   const std::uint32_t keys = isChunks ? shared::SORT_LONGEST_CHUNK : shared::SORT_TILE_KEYS;
@@ -48,6 +44,8 @@ std::string shaderName(SortVariant variant, const char* step) {
 }
 
 }  // namespace
+
+std::uint32_t SortRange::rounds() const { return (bitCount + shared::SORT_DIGIT_BITS - 1) / shared::SORT_DIGIT_BITS; }
 
 SortVariant bestSortVariant(const gpu::DeviceInfo& info) {
   return info.isCpu || info.subgroupSize < shared::SORT_TILE_LEAST_SUBGROUP ? SortVariant::Chunks : SortVariant::Tiles;
@@ -68,8 +66,6 @@ SortStorage::SortStorage(const gpu::Context& context, std::uint32_t cellCount, S
   kept_ = gpu::Buffer(context, 4, gpu::MemoryKind::Device, "sort kept");
 }
 
-size_t SortStorage::resultSide(std::uint32_t keyBits) { return rounds(keyBits) % 2; }
-
 std::uint64_t SortStorage::sizeBytes() const {
   std::uint64_t bytes = counts_.sizeBytes() + totals_.sizeBytes() + kept_.sizeBytes();
   for (size_t side = 0; side < 2; side++) bytes += keys_[side].sizeBytes() + values_[side].sizeBytes();
@@ -82,15 +78,15 @@ SortPass::SortPass(const gpu::Context& context, SortVariant variant)
       bases_(context, "sort/tile_bases.comp"),
       downsweep_(context, shaderName(variant, "downsweep")) {}
 
-void SortPass::record(gpu::CommandBuffer& commands, SortStorage& s, std::uint32_t keyBits, bool wideAddressing) {
-  CHECK(keyBits >= 1 && keyBits <= 31);
+void SortPass::record(gpu::CommandBuffer& commands, SortStorage& s, SortRange range, bool wideAddressing) {
+  CHECK(range.bitCount >= 1 && range.firstBit + range.bitCount <= 32);
   // Invocations of a column: a tile is a workgroup, a chunk is an invocation.
   const std::uint64_t threads =
       s.variant_ == SortVariant::Tiles ? std::uint64_t{s.columns_} * shared::SORT_TILE_THREADS : s.columns_;
-  for (std::uint32_t round = 0; round < rounds(keyBits); round++) {
+  for (std::uint32_t round = 0; round < range.rounds(); round++) {
     const size_t in = round % 2;
     const size_t out = 1 - in;
-    const std::uint32_t shift = round * shared::SORT_DIGIT_BITS;
+    const std::uint32_t shift = range.firstBit + round * shared::SORT_DIGIT_BITS;
     const gpu::SpecConstants constants = {{SPEC_WIDE_ADDRESSING, wideAddressing}, {SPEC_FIRST_DIGIT, round == 0}};
     if (round > 0) commands.barrier(kComputeWrite, kComputeReadWrite);
 

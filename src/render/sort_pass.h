@@ -14,16 +14,26 @@ enum class SortVariant {
 
 SortVariant bestSortVariant(const gpu::DeviceInfo& info);
 
+// Bits of a key that a sort looks at.
+struct SortRange {
+  std::uint32_t firstBit = 0;
+  std::uint32_t bitCount = 0;  // 1 to 31; one round per 8 bits
+
+  std::uint32_t rounds() const;
+};
+
 // Device memory of one sort: 16 bytes per cell and the counters.
 class SortStorage {
  public:
   SortStorage(const gpu::Context& context, std::uint32_t cellCount, SortVariant variant);
 
-  // Input: the cull pass writes one key per cell here, KEY_CULLED for those that take no part.
+  // Input: the cull pass writes one key per cell here; those from KEY_TRANSPARENT up take no part.
   const gpu::Buffer& keys() const { return keys_[0]; }
-  // Result, after a sort of `keyBits`: indices of the kept cells by ascending key, equal keys by ascending index.
-  const gpu::Buffer& order(std::uint32_t keyBits) const { return values_[resultSide(keyBits)]; }
-  const gpu::TexelView& orderView(std::uint32_t keyBits) const { return valueViews_[resultSide(keyBits)]; }
+  const gpu::TexelView& keyView() const { return keyViews_[0]; }
+  // Result of a sort: indices of the kept cells by ascending key, equal keys by ascending index; and their keys.
+  const gpu::Buffer& order(SortRange range) const { return values_[range.rounds() % 2]; }
+  const gpu::TexelView& orderView(SortRange range) const { return valueViews_[range.rounds() % 2]; }
+  const gpu::TexelView& sortedKeyView(SortRange range) const { return keyViews_[range.rounds() % 2]; }
   // Result: how many cells were kept (one uint).
   const gpu::Buffer& kept() const { return kept_; }
 
@@ -32,8 +42,6 @@ class SortStorage {
 
  private:
   friend class SortPass;
-  static size_t resultSide(std::uint32_t keyBits);
-
   SortVariant variant_;
   std::uint32_t cellCount_;
   std::uint32_t columns_;  // tiles or chunks
@@ -51,9 +59,8 @@ class SortPass {
   SortPass(const gpu::Context& context, SortVariant variant);
 
   // Records the sort of storage.keys(). The keys are destroyed. The writer of the keys owes a barrier before; after, a
-  // barrier from compute writes is owed.
-  //   keyBits   bits that differ, 1 to 31: one round per 8 bits
-  void record(gpu::CommandBuffer& commands, SortStorage& storage, std::uint32_t keyBits, bool wideAddressing);
+  // barrier from compute writes is owed. Rounds look at whole digits of 8 bits.
+  void record(gpu::CommandBuffer& commands, SortStorage& storage, SortRange range, bool wideAddressing);
 
  private:
   ComputeVariants upsweep_;

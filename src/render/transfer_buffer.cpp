@@ -58,6 +58,32 @@ std::vector<glm::vec4> supportIntervals(const std::vector<DevicePiece>& pieces) 
   return result;
 }
 
+// A sparse table for range maxima (Bender and Farach-Colton 2000): entry b of level l covers 2^l bins from bin b on.
+std::vector<float> largestExtinctions(const std::vector<DevicePiece>& pieces) {
+  std::vector<float> table(std::size_t{shared::EXTINCTION_LEVELS} * TRANSFER_BINS, 0.0f);
+  for (std::uint32_t bin = 0; bin < TRANSFER_BINS; bin++) {
+    // The shader's bin of a scalar may be one off by rounding at the bin's ends; scalars beyond the range are in the
+    // end bins.
+    const float low = bin == 0 ? -kFarAway : (static_cast<float>(bin) - 0.01f) / TRANSFER_BINS - 0.5f;
+    const float high = bin + 1 == TRANSFER_BINS ? kFarAway : (static_cast<float>(bin) + 1.01f) / TRANSFER_BINS - 0.5f;
+    for (const DevicePiece& p : pieces) {
+      if (p.high < low || p.low > high) continue;
+      const auto at = [&](float s) {
+        const double t = (static_cast<double>(s) - double{p.low}) / (double{p.high} - double{p.low});
+        return static_cast<float>(p.atLow.extinction + t * (p.atHigh.extinction - p.atLow.extinction));
+      };
+      table[bin] = std::max({table[bin], at(std::max(low, p.low)), at(std::min(high, p.high))});
+    }
+  }
+  for (std::uint32_t level = 1; level < shared::EXTINCTION_LEVELS; level++) {
+    const float* below = table.data() + (level - 1) * TRANSFER_BINS;
+    for (std::uint32_t bin = 0; bin < TRANSFER_BINS; bin++)
+      table[level * TRANSFER_BINS + bin] =
+          std::max(below[bin], below[std::min(bin + (1u << (level - 1)), TRANSFER_BINS - 1)]);
+  }
+  return table;
+}
+
 template <typename T>
 std::vector<T> atLeastOne(std::vector<T> values) {
   if (values.empty()) values.emplace_back(0);
@@ -82,6 +108,7 @@ TransferTables makeTransferTables(const TransferFunction& transfer, const MeshSp
     tables.pieceBins.push_back(pieceAt(std::nextafter(low, -1.0f)));
     tables.pieceBins.push_back(pieceAt(std::nextafter(high, 1.0f)));
   }
+  tables.largestExtinction = largestExtinctions(pieces);
   tables.support = supportIntervals(pieces);
   return tables;
 }
@@ -93,13 +120,15 @@ TransferBuffer::TransferBuffer(const gpu::Context& context, const TransferTables
     : supportCount_(static_cast<std::uint32_t>(tables.support.size())),
       pieceBuffer_(gpu::makeBuffer(context, tables.pieces, "transfer pieces")),
       binBuffer_(gpu::makeBuffer(context, tables.pieceBins, "transfer piece bins")),
+      extinctionBuffer_(gpu::makeBuffer(context, tables.largestExtinction, "largest extinctions")),
       supportBuffer_(gpu::makeBuffer(context, atLeastOne(tables.support), "transfer support")),
       pieceView_(context, pieceBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT),
       binView_(context, binBuffer_, VK_FORMAT_R32_UINT),
+      extinctionView_(context, extinctionBuffer_, VK_FORMAT_R32_SFLOAT),
       supportView_(context, supportBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT) {}
 
 std::uint64_t TransferBuffer::sizeBytes() const {
-  return pieceBuffer_.sizeBytes() + binBuffer_.sizeBytes() + supportBuffer_.sizeBytes();
+  return pieceBuffer_.sizeBytes() + binBuffer_.sizeBytes() + extinctionBuffer_.sizeBytes() + supportBuffer_.sizeBytes();
 }
 
 }  // namespace tetralux::render

@@ -16,6 +16,7 @@ namespace tetralux::render {
 struct TransferTables {
   std::vector<glm::vec4> pieces;         // TRANSFER_PIECE_TEXELS per piece
   std::vector<std::uint32_t> pieceBins;  // two per bin: the pieces at its low and high end
+  std::vector<float> largestExtinction;  // EXTINCTION_LEVELS x TRANSFER_BINS, per mesh unit
   std::vector<glm::vec4> support;        // xy: open intervals of scalars inside which there is extinction
 };
 
@@ -29,6 +30,7 @@ class TransferBuffer {
 
   const gpu::TexelView& pieces() const { return pieceView_; }
   const gpu::TexelView& pieceBins() const { return binView_; }
+  const gpu::TexelView& largestExtinction() const { return extinctionView_; }
   const gpu::TexelView& support() const { return supportView_; }
   std::uint32_t supportCount() const { return supportCount_; }
   std::uint64_t sizeBytes() const;
@@ -39,9 +41,11 @@ class TransferBuffer {
   std::uint32_t supportCount_;
   gpu::Buffer pieceBuffer_;
   gpu::Buffer binBuffer_;
+  gpu::Buffer extinctionBuffer_;
   gpu::Buffer supportBuffer_;
   gpu::TexelView pieceView_;
   gpu::TexelView binView_;
+  gpu::TexelView extinctionView_;
   gpu::TexelView supportView_;
 };
 

@@ -10,7 +10,7 @@
 namespace tetralux::render {
 namespace {
 
-using shared::KEY_CULLED;
+using shared::KEY_TRANSPARENT;
 using test::GpuTest;
 using test::PassScene;
 using test::runCommands;
@@ -60,8 +60,8 @@ TEST_F(GpuTest, CullKeepsEveryCellThatARayMeets) {
         isMet = geometry.intersect(camera.pixelRay(size, i % size.width, i / size.width), segment) &&
                 segment.back - segment.front > 1e-6;
       }
-      EXPECT_FALSE(isMet && keys[cell] == KEY_CULLED) << cell;
-      kept += keys[cell] != KEY_CULLED ? 1 : 0;
+      EXPECT_FALSE(isMet && keys[cell] >= KEY_TRANSPARENT) << cell;
+      kept += keys[cell] < KEY_TRANSPARENT ? 1 : 0;
       met += isMet ? 1 : 0;
     }
     const auto counters = scene.counters();
@@ -77,7 +77,7 @@ TEST_F(GpuTest, CullKeysOrderCellsByTheDistanceOfTheirCentroids) {
     const glm::dvec3 forward = glm::normalize(camera.center - camera.eye);
     std::vector<std::pair<double, std::uint32_t>> byDistance;
     for (size_t cell = 0; cell < keys.size(); cell++) {
-      if (keys[cell] == KEY_CULLED) continue;
+      if (keys[cell] >= KEY_TRANSPARENT) continue;
       glm::dvec3 centroid(0);
       for (const std::uint32_t vertex : scene.mesh.cells[cell]) centroid += 0.25 * scene.mesh.point(vertex);
       const glm::dvec3 d = centroid - camera.eye;

@@ -174,7 +174,7 @@ TEST_F(GpuTest, TimingAPassDoesNotChangeThePicture) {
     names.push_back(pass.name);
     sum += pass.gpuMs;
   }
-  EXPECT_EQ(names, (std::vector<std::string>{"cull", "sort", "project", "raster"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"cull", "check", "order", "sort", "project", "raster"}));
   EXPECT_GT(stats.frameMs, 0.0);
   EXPECT_LE(sum, stats.frameMs * 1.001);
   EXPECT_GT(stats.readbackMs, 0.0);

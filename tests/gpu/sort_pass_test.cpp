@@ -13,7 +13,7 @@
 namespace tetralux::render {
 namespace {
 
-using shared::KEY_CULLED;
+using shared::KEY_TRANSPARENT;
 
 struct SortCase {
   SortVariant variant;
@@ -26,26 +26,27 @@ struct SortCase {
 
 class SortPassTest : public test::GpuTest, public ::testing::WithParamInterface<SortCase> {
  protected:
-  // What the sort must give: indices of the kept keys by key, ties by index.
-  static std::vector<std::uint32_t> expectedOrder(const std::vector<std::uint32_t>& keys) {
+  // What the sort must give: indices of the kept keys by the range's bits of the key, ties by index.
+  static std::vector<std::uint32_t> expectedOrder(const std::vector<std::uint32_t>& keys, SortRange range = {0, 31}) {
+    const auto bits = [&](std::uint32_t i) { return keys[i] >> range.firstBit & ((1u << range.bitCount) - 1); };
     std::vector<std::uint32_t> order;
     for (std::uint32_t i = 0; i < keys.size(); i++) {
-      if (keys[i] != KEY_CULLED) order.push_back(i);
+      if (keys[i] < KEY_TRANSPARENT) order.push_back(i);
     }
-    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return keys[a] < keys[b]; });
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return bits(a) < bits(b); });
     return order;
   }
 
-  std::vector<std::uint32_t> sortOnDevice(const std::vector<std::uint32_t>& keys, std::uint32_t keyBits) {
+  std::vector<std::uint32_t> sortOnDevice(const std::vector<std::uint32_t>& keys, SortRange range) {
     if (!pass_) pass_.emplace(context(), GetParam().variant);
     SortStorage storage(context(), static_cast<std::uint32_t>(keys.size()), GetParam().variant);
     gpu::upload(context(), storage.keys(), keys.data(), keys.size() * sizeof keys[0]);
     test::runCommands(context(), [&](gpu::CommandBuffer& commands) {
-      pass_->record(commands, storage, keyBits, GetParam().wideAddressing);
+      pass_->record(commands, storage, range, GetParam().wideAddressing);
     });
     const std::uint32_t kept = gpu::downloadVector<std::uint32_t>(context(), storage.kept(), 1)[0];
     EXPECT_LE(kept, keys.size());
-    return gpu::downloadVector<std::uint32_t>(context(), storage.order(keyBits), std::min<size_t>(kept, keys.size()));
+    return gpu::downloadVector<std::uint32_t>(context(), storage.order(range), std::min<size_t>(kept, keys.size()));
   }
 
  private:
@@ -66,7 +67,7 @@ TEST_P(SortPassTest, SortsEverySizeThroughTwoPartitionsAndOne) {
   const std::uint32_t step = GetParam().wideAddressing ? 7 : 1;
   for (std::uint32_t size = 0; size <= 2 * partition + 1; size += step) {
     const auto keys = randomKeys(size, 8, random);
-    ASSERT_EQ(sortOnDevice(keys, 8), expectedOrder(keys)) << size;
+    ASSERT_EQ(sortOnDevice(keys, {0, 8}), expectedOrder(keys)) << size;
   }
 }
 
@@ -74,7 +75,7 @@ TEST_P(SortPassTest, SortsManyKeysOfManyBits) {
   std::mt19937 random(2);
   for (const std::uint32_t bits : {1u, 8u, 9u, 16u, 24u, 31u}) {
     const auto keys = randomKeys(100003, bits, random);
-    EXPECT_EQ(sortOnDevice(keys, bits), expectedOrder(keys)) << bits;
+    EXPECT_EQ(sortOnDevice(keys, {0, bits}), expectedOrder(keys)) << bits;
   }
 }
 
@@ -83,17 +84,17 @@ TEST_P(SortPassTest, SortsMillionsOfKeys) {
   if (GetParam().wideAddressing) GTEST_SKIP() << "differs from the other path in loads and stores only";
   std::mt19937 random(6);
   const auto keys = randomKeys(65536ull * shared::SORT_LEAST_CHUNKS + 12345, 8, random);
-  EXPECT_TRUE(sortOnDevice(keys, 8) == expectedOrder(keys));
+  EXPECT_TRUE(sortOnDevice(keys, {0, 8}) == expectedOrder(keys));
 }
 
 TEST_P(SortPassTest, KeepsOrderAmongEqualKeysAndTurnsReversedOnes) {
   std::vector<std::uint32_t> keys(10007, 0x123456);
-  EXPECT_EQ(sortOnDevice(keys, 24), expectedOrder(keys));
+  EXPECT_EQ(sortOnDevice(keys, {0, 24}), expectedOrder(keys));
   std::iota(keys.rbegin(), keys.rend(), 0u);
-  EXPECT_EQ(sortOnDevice(keys, 24), expectedOrder(keys));
+  EXPECT_EQ(sortOnDevice(keys, {0, 24}), expectedOrder(keys));
   std::mt19937 random(3);
   for (std::uint32_t& key : keys) key = static_cast<std::uint32_t>(random() % 3) << 20;
-  EXPECT_EQ(sortOnDevice(keys, 24), expectedOrder(keys));
+  EXPECT_EQ(sortOnDevice(keys, {0, 24}), expectedOrder(keys));
 }
 
 TEST_P(SortPassTest, DropsCulledKeys) {
@@ -101,9 +102,9 @@ TEST_P(SortPassTest, DropsCulledKeys) {
   for (const std::uint32_t share : {1u, 2u, 10u}) {
     auto keys = randomKeys(20011, 24, random);
     for (std::uint32_t& key : keys) {
-      if (random() % share == 0) key = KEY_CULLED;
+      if (random() % share == 0) key = random() % 2 == 0 ? shared::KEY_OUTSIDE : key | KEY_TRANSPARENT;
     }
-    EXPECT_EQ(sortOnDevice(keys, 24), expectedOrder(keys)) << "one in " << share;
+    EXPECT_EQ(sortOnDevice(keys, {0, 24}), expectedOrder(keys)) << "one in " << share;
   }
 }
 
@@ -114,7 +115,15 @@ TEST_P(SortPassTest, OrdersDenormalAndInfiniteDistances) {
     for (int i = 0; i < 300; i++) keys.push_back(std::bit_cast<std::uint32_t>(f));
   }
   std::shuffle(keys.begin(), keys.end(), std::mt19937(5));
-  EXPECT_EQ(sortOnDevice(keys, 31), expectedOrder(keys));
+  EXPECT_EQ(sortOnDevice(keys, {0, 31}), expectedOrder(keys));
+}
+
+// Keys that agree in the range keep the order of their indices, whatever the bits below it say.
+TEST_P(SortPassTest, LooksAtItsRangeOfBitsOnly) {
+  std::mt19937 random(7);
+  const auto keys = randomKeys(20011, 24, random);
+  for (const SortRange range : {SortRange{16, 8}, SortRange{24, 7}, SortRange{8, 16}, SortRange{3, 21}})
+    EXPECT_EQ(sortOnDevice(keys, range), expectedOrder(keys, range)) << range.firstBit << " " << range.bitCount;
 }
 
 INSTANTIATE_TEST_SUITE_P(Variants, SortPassTest,

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <random>
 
 #include "render/transfer_buffer.h"
@@ -54,6 +55,28 @@ TEST(TransferTables, StepsAndPiecesTooNarrowForFloatsHaveNoWidth) {
   for (size_t i = 0; i < tables.pieces.size(); i += shared::TRANSFER_PIECE_TEXELS) {
     EXPECT_LT(tables.pieces[i].x, tables.pieces[i].y);
     EXPECT_TRUE(std::isfinite(tables.pieces[i].w));
+  }
+}
+
+// The shader takes two entries that cover a range of bins between them.
+TEST(TransferTables, LargestExtinctionBoundsEveryRange) {
+  const TransferFunction transfer({{0.1, {}, 0}, {0.2, {}, 5}, {0.201, {}, 900}, {0.202, {}, 1}, {0.9, {}, 3}}, "t");
+  const TransferTables tables = makeTransferTables(transfer, space(0, 1, 2.0));
+  ASSERT_EQ(tables.largestExtinction.size(), std::size_t{shared::EXTINCTION_LEVELS} * shared::TRANSFER_BINS);
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (int i = 0; i < 2000; i++) {
+    const double a = uniform(random);
+    const double b = uniform(random) < 0.5 ? a + 0.01 * uniform(random) : uniform(random);
+    const auto bin = [](double s) { return static_cast<std::uint32_t>(std::clamp(s * 256.0, 0.0, 255.0)); };
+    const std::uint32_t first = bin(std::min(a, b));
+    const std::uint32_t last = bin(std::max(a, b));
+    const auto level = static_cast<std::uint32_t>(std::bit_width(last - first + 1) - 1);
+    const float* row = tables.largestExtinction.data() + level * shared::TRANSFER_BINS;
+    const double bound = static_cast<double>(std::max(row[first], row[last + 1 - (1u << level)]));
+    for (int k = 0; k <= 20; k++)
+      EXPECT_LE(transfer.at(a + (b - a) * k / 20.0).extinction * 2.0, bound * (1 + 1e-6));
+    EXPECT_LE(bound, 1800.0 * (1 + 1e-6));
   }
 }
 

@@ -1,0 +1,78 @@
+// A ray's segment inside one cell, from what raster/fan.vert hands on.
+//
+// Before including: CELL_PLANES, TRANSFER_PIECES, TRANSFER_PIECE_BINS are binding numbers; shared/raster_push.h.
+layout(constant_id = SPEC_PERSPECTIVE) const bool kPerspective = true;
+
+layout(binding = CELL_PLANES) uniform samplerBuffer cellPlanes;  // of clipped cells: FAN_VERTICES per slot
+
+layout(location = 0) in vec4 fanEnds;
+layout(location = 1) flat in vec2 thickEnds;  // of the fan's centre: q of its front end, and the largest q difference
+layout(location = 2) flat in int fanCell;     // slot in the batch, doubled; odd for a cell that is clipped
+
+#include "include/integrate.glsl"
+
+struct Segment {
+  float scalarFront;
+  float scalarBack;
+  float depthFront;
+  float thickness;  // along the view direction, mesh units
+};
+
+// From the fan's vertices: both ends by division through the interpolated 1/depth, and the thickness from the
+// interpolated difference, 1/q_b - 1/q_f = (q_f - q_b) / (q_f q_b).
+//
+// Rasterisers snap vertices to 1/256 pixel, so a pixel's centre may lie that far outside the triangle, which can be many
+// times the width of a sliver: what is extrapolated is held to what the cell has.
+Segment fanSegment() {
+  const float dq = clamp(fanEnds.z, 0.0, thickEnds.y);
+  if (!kPerspective) return Segment(fanEnds.y, fanEnds.w, -fanEnds.x, dq);
+  const float qFront = clamp(fanEnds.x, thickEnds.x * NEAR_DEPTH_RATIO, thickEnds.x / NEAR_DEPTH_RATIO);
+  const float depthFront = 1.0 / qFront;
+  const float depthBack = 1.0 / max(qFront - dq, qFront * NEAR_DEPTH_RATIO);
+  return Segment(fanEnds.y * depthFront, fanEnds.w * depthBack, depthFront, dq * depthFront * depthBack);
+}
+
+// From a clipped cell's planes (project/project.comp): the ray, origin + depth * direction, clipped against the four faces and
+// the eye's plane. Depths are relative to that of vertex 0.
+Segment clippedSegment(int slot, vec3 origin, vec3 direction) {
+  vec4 plane[4];
+  for (int i = 0; i < 4; i++) plane[i] = texelFetch(cellPlanes, slot * int(FAN_VERTICES) + i);
+  const vec3 vertex0 = vec3(plane[1].w, plane[2].w, plane[3].w);
+  const vec3 start = origin + direction * vertex0.z - vertex0;
+  float front = -vertex0.z;
+  float back = 1e30;
+  vec4 offset;
+  vec4 slope;
+  for (int i = 0; i < 4; i++) {
+    offset[i] = dot(plane[i].xyz, start) + (i == 0 ? plane[0].w : 0.0);
+    slope[i] = dot(plane[i].xyz, direction);
+    const float depth = -offset[i] / slope[i];
+    front = slope[i] > 0.0 ? max(front, depth) : front;
+    back = slope[i] < 0.0 ? min(back, depth) : back;
+    if (slope[i] == 0.0 && offset[i] <= 0.0) back = -1e30;
+  }
+  // The scalar as a convex combination of the vertices' values: it stays in their range whatever the rounding.
+  const vec4 scalar = texelFetch(cellPlanes, slot * int(FAN_VERTICES) + 4);
+  const vec4 weightFront = max(offset + slope * front, vec4(0.0));
+  const vec4 weightBack = max(offset + slope * back, vec4(0.0));
+  return Segment(dot(weightFront, scalar) / max(dot(weightFront, vec4(1.0)), 1e-37),
+                 dot(weightBack, scalar) / max(dot(weightBack, vec4(1.0)), 1e-37), vertex0.z + front,
+                 max(back - front, 0.0));
+}
+
+// The segment of this fragment's ray.
+//   screen   the ray's direction, x/z and y/z (perspective), or its position
+Segment fragmentSegment(vec2 screen) {
+  Segment segment = fanSegment();
+  if ((fanCell & 1) != 0)
+    segment = kPerspective ? clippedSegment(fanCell >> 1, vec3(0.0), vec3(screen, 1.0))
+                           : clippedSegment(fanCell >> 1, vec3(screen, 0.0), vec3(0.0, 0.0, 1.0));
+  return segment;
+}
+
+vec2 screenOf(vec4 fragCoord, RasterPush push) {
+  return vec2(fragCoord.x - push.halfSize.x, push.halfSize.y - fragCoord.y) * push.unitsPerPixel;
+}
+
+// Length along a ray per depth.
+float rayLengthPerDepth(vec2 screen) { return kPerspective ? sqrt(1.0 + dot(screen, screen)) : 1.0; }

@@ -1,0 +1,70 @@
+#include "render/apart_pass.h"
+
+#include "render/shader_library.h"
+#include "shared/spec_ids.h"
+
+namespace tetralux::render {
+namespace {
+
+struct StorePush {
+  shared::RasterPush raster;
+  shared::PixelBand band;
+  std::uint32_t firstSlot;
+};
+
+}  // namespace
+
+ApartPass::ApartPass(const gpu::Context& context)
+    : context_(context),
+      fanVertex_(loadShader(context, "raster/fan.vert")),
+      storeFragment_(loadShader(context, "apart/store.frag")),
+      blendVertex_(loadShader(context, "apart/blend.vert")),
+      blendFragment_(loadShader(context, "apart/blend.frag")),
+      resolve_(context, "apart/resolve.comp") {}
+
+void ApartPass::recordStore(gpu::CommandBuffer& commands, const FrameVariant& variant, const shared::RasterPush& push,
+                            const TransferBuffer& transfer, const BatchStorage& batches, std::uint32_t firstSlot,
+                            const PixelLists& lists, const shared::PixelBand& band, std::uint32_t kBuffer) {
+  commands.beginRendering(lists.size().width, lists.size().height, {band.firstRow, band.rowCount});
+  commands.drawIndexedIndirect(storePipeline(variant.perspective, kBuffer),
+                               {batches.modesView, batches.endsView, transfer.pieces(), transfer.pieceBins(),
+                                lists.heads(), lists.links(), lists.ranks(), lists.colors(), lists.counts()},
+                               StorePush{push, band, firstSlot}, {&batches.positions, &batches.ends}, batches.indices,
+                               batches.arguments, offsetof(shared::BatchArguments, indexCount));
+  commands.endRendering();
+}
+
+void ApartPass::recordResolve(gpu::CommandBuffer& commands, const PixelLists& lists, const shared::PixelBand& band,
+                              std::uint32_t kBuffer, const gpu::Buffer& shortPixels) {
+  commands.dispatch(resolve_.get({{SPEC_KBUFFER, kBuffer}}),
+                    {lists.heads(), lists.links(), lists.ranks(), lists.colors(), shortPixels}, band,
+                    std::uint64_t{band.width} * band.rowCount);
+}
+
+void ApartPass::recordBlend(gpu::CommandBuffer& commands, const PixelLists& lists, const shared::PixelBand& band,
+                            const gpu::AttachmentImage& target, bool clear) {
+  commands.beginRendering(target, clear, {band.firstRow, band.rowCount});
+  commands.draw(blendPipeline(target.format()), {lists.heads(), lists.colors()}, band, 3);
+  commands.endRendering();
+}
+
+const gpu::GraphicsPipeline& ApartPass::storePipeline(bool perspective, std::uint32_t kBuffer) {
+  const std::pair key{perspective, kBuffer};
+  const auto found = store_.find(key);
+  if (found != store_.end()) return found->second;
+  gpu::GraphicsState state;
+  state.streams = {{VK_FORMAT_R32G32_SFLOAT, 8}, {VK_FORMAT_R32G32B32A32_SFLOAT, 16}};
+  const gpu::SpecConstants constants = {{SPEC_PERSPECTIVE, perspective}, {SPEC_KBUFFER, kBuffer}};
+  return store_.emplace(key, gpu::GraphicsPipeline(context_, fanVertex_, storeFragment_, state, constants))
+      .first->second;
+}
+
+const gpu::GraphicsPipeline& ApartPass::blendPipeline(VkFormat format) {
+  const auto found = blend_.find(format);
+  if (found != blend_.end()) return found->second;
+  gpu::GraphicsState state;
+  state.colorFormat = format;
+  return blend_.emplace(format, gpu::GraphicsPipeline(context_, blendVertex_, blendFragment_, state)).first->second;
+}
+
+}  // namespace tetralux::render
