@@ -1,7 +1,7 @@
 // Which cells can show, and how far away they are.
 //
-// One invocation per cell: its sort key (farthest first), marked KEY_TRANSPARENT when the cell has no extinction anywhere in
-// its scalar range; KEY_OUTSIDE when it is outside the picture or holds no pixel centre.
+// One invocation per cell: its sort key (farthest first), marked KEY_TRANSPARENT when the cell neither absorbs nor emits
+// anywhere in its scalar range; KEY_OUTSIDE when it is outside the picture or holds no pixel centre.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_buffer_reference : require
@@ -24,7 +24,7 @@ layout(local_size_x = 64) in;
 #include "include/view_space.glsl"
 
 layout(binding = 0, scalar) uniform FrameViewBlock { FrameView view; };
-layout(binding = 4) uniform samplerBuffer supportIntervals;  // xy: scalars between which there is extinction
+layout(binding = 4) uniform samplerBuffer supportIntervals;  // xy: scalars between which there is extinction or emission
 layout(binding = 5, scalar) writeonly buffer Keys { uint keys[]; };
 layout(binding = 6, scalar) buffer Counters { FrameCounters counters; };
 
@@ -45,7 +45,7 @@ const float kSampleMargin = 1.0 / 128.0;
 // With so many pixel centres in its box, a cell is not tested against each of them.
 const float kTestedSamples = 4.0;
 
-bool hasExtinction(vec4 scalar) {
+bool isInSupport(vec4 scalar) {
   const float low = min(min(scalar.x, scalar.y), min(scalar.z, scalar.w));
   const float high = max(max(scalar.x, scalar.y), max(scalar.z, scalar.w));
   bool found = false;
@@ -129,7 +129,7 @@ void main() {
     if (isNear) box = nearCellBox(view, position);
     verdict = visibility(box, position, isNear);
   }
-  if (verdict == kVisible && !hasExtinction(cell.scalar)) verdict = kTransparent;
+  if (verdict == kVisible && !isInSupport(cell.scalar)) verdict = kTransparent;
 
   const float largestKey = float((1u << view.keyBits) - 1u);
   const float share = clamp((centroidDistance(cell.position) - view.keyLow) * view.keyPerDistance, 0.0, 1.0);

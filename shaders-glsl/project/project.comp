@@ -68,7 +68,8 @@ struct Fan {
 
 float cross2(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
 
-// Largest extinction between two scalars, from above: per mesh unit.
+// Largest extinction between two scalars, from above: per mesh unit. With emission per length, of extinction and emission
+// the larger: both are off by what the thickness is.
 float largestExtinction(float low, float high) {
   const float last = float(TRANSFER_BINS - 1u);
   const int first = int(clamp((low + 0.5) * float(TRANSFER_BINS), 0.0, last));

@@ -7,18 +7,22 @@
 #include "shared/clipped_cells.h"
 #include "shared/raster_push.h"
 #include "shared/spec_ids.h"
+#include "shared/target_output.h"
 
 #define CELL_PLANES 1
 #define TRANSFER_PIECES 2
 #define TRANSFER_PIECE_BINS 3
 #include "include/fan_segment.glsl"
+#include "include/target_output.glsl"
 
 layout(push_constant, scalar) uniform Push { RasterPush push; };
 
-layout(location = 0) out vec4 color;  // premultiplied light, opacity
+layout(location = 0) out vec4 color;  // premultiplied light, opacity; or what kOutput says
 
 void main() {
   const vec2 screen = screenOf(gl_FragCoord, push);
   const Segment segment = fragmentSegment(screen);
-  color = integrateSegment(segment.scalarFront, segment.scalarBack, segment.thickness * rayLengthPerDepth(screen));
+  const vec4 layer =
+      integrateSegment(segment.scalarFront, segment.scalarBack, segment.thickness * rayLengthPerDepth(screen));
+  color = targetOutput(layer, uvec2(gl_FragCoord.xy), uint(fanCell >> 1));
 }

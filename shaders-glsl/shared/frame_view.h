@@ -18,7 +18,7 @@ struct FrameView {
   float keyLow;          // distance that gets the nearest key, relative to |eye| under perspective, mesh units
   float keyPerDistance;  // 1 / (distance of the farthest key - keyLow)
   uint cellCount;
-  uint supportCount;     // intervals of scalars with extinction
+  uint supportCount;     // intervals of scalars with extinction or emission
 };
 
 SHARED_END

@@ -27,7 +27,7 @@ SHARED_CONST uint SORT_DIGITS = 256;
 
 // Uniform bins over the scalar's range, each naming the transfer function's pieces at its two ends.
 SHARED_CONST uint TRANSFER_BINS = 256;
-// Largest extinction of 1, 2, 4, ... 256 bins from each bin on.
+// Largest extinction (or emission per length) of 1, 2, 4, ... 256 bins from each bin on.
 SHARED_CONST uint EXTINCTION_LEVELS = 9;
 // Texels per piece of the transfer function.
 SHARED_CONST uint TRANSFER_PIECE_TEXELS = 3;

@@ -4,6 +4,7 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shared/limits.h"
+#include "shared/spec_ids.h"
 
 layout(local_size_x = 64) in;
 

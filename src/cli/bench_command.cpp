@@ -47,8 +47,7 @@ class BenchCommand : public Command {
     const LoadedScene loaded = loadScene(path, sceneOptions_);
     render::Renderer renderer(context, loaded.mesh, loaded.field, deviceOptions_.rendererOptions());
     renderer.setTransferFunction(loaded.scene.transferFunction);
-    render::RenderOptions options;
-    options.target = deviceOptions_.renderTarget();
+    render::RenderOptions options = deviceOptions_.renderOptions();
     options.timed = true;
 
     // A wrong picture is not worth a time.
@@ -73,7 +72,7 @@ class BenchCommand : public Command {
     }
     failOnValidationMessages();
     nlohmann::ordered_json json = {{"scene", path}};
-    json.update(statsJson(loaded, context.info(), renderer, options.target, run));
+    json.update(statsJson(loaded, context.info(), renderer, run));
     json["check"] = {{"pixels", check.pixels}, {"rmse", check.rmse}, {"max", check.max}};
     return json;
   }

@@ -3,12 +3,14 @@
 #include <spdlog/spdlog.h>
 
 #include <charconv>
+#include <cmath>
 
 #include "base/error.h"
 #include "base/progress.h"
 #include "gpu/validation.h"
 #include "scene/scene_file.h"
 #include "scene/transfer_file.h"
+#include "shared/limits.h"
 #include "shared/pixel_lists.h"
 
 namespace tetralux::cli {
@@ -20,12 +22,23 @@ void SceneOptions::add(CLI::App& app) {
   std::string presets;
   for (const std::string& name : transferPresetNames()) presets += (presets.empty() ? "" : ", ") + name;
   app.add_option("--tf", transfer, "Transfer function: a JSON file, or a preset: " + presets);
+  app.add_option("--opacity-scale", opacityScale, "Multiplies every extinction (default: 1)")
+      ->type_name("F")
+      ->check([](const std::string& text) {
+        double value = 0.0;
+        const bool isNumber = CLI::detail::lexical_cast(text, value);
+        return isNumber && std::isfinite(value) && value > 0.0 ? std::string()
+                                                               : "found '" + text + "', expected a finite number > 0";
+      });
 }
 
 void DeviceOptions::add(CLI::App& app) {
   app.add_option("--device", device, "Vulkan device: index or part of its name (default: the best one)");
   app.add_option("--target", target, "What cells are blended into (default: rgba32f)")
-      ->check(CLI::IsMember({"rgba32f", "rgba16f"}));
+      ->check(CLI::IsMember(render::targetNames()));
+  app.add_option("--chunk-cells", chunkCells,
+                 "Cells to a chunk of --target rgba16f-chunked (default: a 32nd of the mesh's; never over 256 chunks)")
+      ->check(CLI::Range(1u, shared::BATCH_CELLS));
   app.add_option("--k", kBuffer, "Segments that --order kbuffer holds back at every pixel (default: 6)")
       ->check(CLI::Range(0u, shared::KBUFFER_LARGEST));
   app.add_option("--order", order, "Order in which cells are drawn (default: auto)")
@@ -45,8 +58,11 @@ render::RendererOptions DeviceOptions::rendererOptions() const {
   return options;
 }
 
-render::Target DeviceOptions::renderTarget() const {
-  return target == "rgba16f" ? render::Target::Rgba16f : render::Target::Rgba32f;
+render::RenderOptions DeviceOptions::renderOptions() const {
+  render::RenderOptions options;
+  options.target = render::parseTarget(target);
+  options.chunkCells = chunkCells;
+  return options;
 }
 
 void addQuiet(CLI::App& app) {

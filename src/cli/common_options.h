@@ -11,12 +11,13 @@
 
 namespace tetralux::cli {
 
-// --size, --camera, --field, --tf: what is drawn.
+// --size, --camera, --field, --tf, --opacity-scale: what is drawn.
 struct SceneOptions {
   std::string size;  // "WxH"
   std::string cameraFile;
   std::string field;
-  std::string transfer;  // file or preset
+  std::string transfer;       // file or preset
+  double opacityScale = 1.0;  // multiplies every extinction, > 0
 
   void add(CLI::App& app);
 };
@@ -26,6 +27,7 @@ struct DeviceOptions {
   std::string device;
   bool validate = false;
   std::string target = "rgba32f";
+  std::uint32_t chunkCells = 0;
   std::string forcePath;
   std::string order = "auto";
   std::uint32_t kBuffer = 6;
@@ -33,7 +35,8 @@ struct DeviceOptions {
   void add(CLI::App& app);
   gpu::ContextOptions contextOptions() const { return {device, validate}; }
   render::RendererOptions rendererOptions() const;
-  render::Target renderTarget() const;
+  // Target and chunk size; not timed.
+  render::RenderOptions renderOptions() const;
 };
 
 // --quiet: no progress, no log lines below errors.

@@ -47,6 +47,7 @@ LoadedScene loadScene(const std::string& path, const SceneOptions& options) {
   scene.fieldName = loaded.field.name;
   if (isPreset || (!isScene && options.transfer.empty()))
     scene.transferFunction = defaultTransfer(loaded.mesh, loaded.field, options.transfer);
+  if (options.opacityScale != 1.0) scene.transferFunction = scene.transferFunction.scaled(options.opacityScale);
   if (!isScene && options.cameraFile.empty()) {
     std::vector<glm::dvec3> points(loaded.mesh.pointCount());
     for (size_t i = 0; i < points.size(); i++) points[i] = loaded.mesh.point(i);

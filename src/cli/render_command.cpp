@@ -38,10 +38,8 @@ class RenderCommand : public Command {
     rendererOptions.checkOrder = !statsFile_.empty();
     render::Renderer renderer(context, loaded.mesh, loaded.field, rendererOptions);
     renderer.setTransferFunction(loaded.scene.transferFunction);
-    addSettings(exr, loaded, context.info());
 
-    render::RenderOptions options;
-    options.target = deviceOptions_.renderTarget();
+    render::RenderOptions options = deviceOptions_.renderOptions();
     options.timed = !statsFile_.empty();
     RunStats run;
     Progress progress("render", frames_);
@@ -50,14 +48,13 @@ class RenderCommand : public Command {
       render::FrameStats stats = renderer.draw(camera, loaded.scene.size, options);
       const Image image = renderer.readImage(&stats);
       failOnValidationMessages();
-      exr.attributes.back().second = render::orderName(stats.order.order);
+      exr.attributes = settings(loaded, context.info(), stats);
       for (const FramePattern& pattern : patterns) writeImage(image, pattern.name(frame), loaded.scene, camera, exr);
       if (frame == 0) run.firstFrameMs = millisecondsSinceStart();
       run.frames.push_back(stats);
       progress.advance();
     }
-    if (!statsFile_.empty())
-      writeFile(statsFile_, statsJson(loaded, context.info(), renderer, options.target, run).dump(1) + "\n");
+    if (!statsFile_.empty()) writeFile(statsFile_, statsJson(loaded, context.info(), renderer, run).dump(1) + "\n");
     return 0;
   }
 
@@ -77,16 +74,19 @@ class RenderCommand : public Command {
     return patterns;
   }
 
-  void addSettings(ExrOptions& exr, const LoadedScene& loaded, const gpu::DeviceInfo& device) const {
-    exr.attributes = {{"tetralux.version", versionString()},
-                      {"tetralux.mesh", loaded.scene.meshPath.filename().string()},
-                      {"tetralux.field", loaded.field.name},
-                      {"tetralux.device", device.name},
-                      {"tetralux.driver", device.driver},
-                      {"tetralux.integration", "exact"},
-                      {"tetralux.projection", "pt"},
-                      {"tetralux.target", deviceOptions_.target},
-                      {"tetralux.order", ""}};  // known when the frame is drawn
+  // What the picture's header says about how it was made.
+  static std::vector<std::pair<std::string, std::string>> settings(const LoadedScene& loaded,
+                                                                   const gpu::DeviceInfo& device,
+                                                                   const render::FrameStats& stats) {
+    return {{"tetralux.version", versionString()},
+            {"tetralux.mesh", loaded.scene.meshPath.filename().string()},
+            {"tetralux.field", loaded.field.name},
+            {"tetralux.device", device.name},
+            {"tetralux.driver", device.driver},
+            {"tetralux.integration", "exact"},
+            {"tetralux.projection", "pt"},
+            {"tetralux.order", render::orderName(stats.order.order)},
+            {"tetralux.target", render::targetName(stats.target)}};
   }
 
   std::string input_;

@@ -63,7 +63,7 @@ double medianReadbackMs(const std::vector<render::FrameStats>& frames) {
 }
 
 nlohmann::ordered_json statsJson(const LoadedScene& loaded, const gpu::DeviceInfo& device,
-                                 const render::Renderer& renderer, render::Target target, const RunStats& run) {
+                                 const render::Renderer& renderer, const RunStats& run) {
   const render::FrameStats& last = run.frames.back();
   const render::MemoryUse memory = renderer.memoryUse();
   nlohmann::ordered_json json;
@@ -78,7 +78,7 @@ nlohmann::ordered_json statsJson(const LoadedScene& loaded, const gpu::DeviceInf
   json["interpolation"] = "perspective";
   json["projection"] = "pt";
   json["order"] = render::orderName(last.order.order);
-  json["target"] = render::targetName(target);
+  json["target"] = render::targetName(last.target);
   json["frames"] = run.frames.size();
   json["tets"] = loaded.mesh.cellCount();
   json["points"] = loaded.mesh.pointCount();
@@ -98,6 +98,8 @@ nlohmann::ordered_json statsJson(const LoadedScene& loaded, const gpu::DeviceInf
                 {"project", rounded(medianPassMs(run.frames, "project"))},
                 {"raster", rounded(medianPassMs(run.frames, "raster"))},
                 {"apart", rounded(medianPassMs(run.frames, "apart"))},
+                {"combine", rounded(medianPassMs(run.frames, "combine"))},
+                {"measure", rounded(medianPassMs(run.frames, "measure"))},
                 {"readback", rounded(medianReadbackMs(run.frames))}};
   json["bytes"] = {{"mesh", memory.meshBytes},
                    {"frame", memory.frameBytes},

@@ -17,7 +17,7 @@ struct RunStats {
 
 // The object that --stats and bench --json write. Times are medians over the frames, ms; sizes are bytes.
 nlohmann::ordered_json statsJson(const LoadedScene& loaded, const gpu::DeviceInfo& device,
-                                 const render::Renderer& renderer, render::Target target, const RunStats& run);
+                                 const render::Renderer& renderer, const RunStats& run);
 
 // What is known about the order of a frame: the object "order_check". Counts that were not made are null.
 nlohmann::ordered_json orderJson(const render::OrderReport& report);

@@ -55,6 +55,7 @@ void CommandBuffer::bind(VkPipelineBindPoint point, VkPipeline pipeline, const P
   vkCmdBindPipeline(commands_, point, pipeline);
   std::vector<VkWriteDescriptorSet> writes(bindings.size(), {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET});
   std::vector<VkDescriptorBufferInfo> buffers(bindings.size());
+  std::vector<VkDescriptorImageInfo> images(bindings.size());
   for (std::uint32_t i = 0; i < bindings.size(); i++) {
     const Descriptor& d = descriptors[i];
     writes[i].dstBinding = i;
@@ -63,6 +64,10 @@ void CommandBuffer::bind(VkPipelineBindPoint point, VkPipeline pipeline, const P
     if (bindings[i] == VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER) {
       CHECK(d.view_ != VK_NULL_HANDLE);
       writes[i].pTexelBufferView = &d.view_;
+    } else if (bindings[i] == VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE) {
+      CHECK(d.image_ != VK_NULL_HANDLE);
+      images[i] = {VK_NULL_HANDLE, d.image_, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+      writes[i].pImageInfo = &images[i];
     } else {
       CHECK(d.buffer_ != nullptr);
       // A longer buffer is reached by its address (wide addressing); the descriptor then only has to be valid.
@@ -150,7 +155,12 @@ void CommandBuffer::imageBarrier(const AttachmentImage& image, VkImageLayout fro
 
 void CommandBuffer::prepareAttachment(const AttachmentImage& image) {
   imageBarrier(image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-               access::kColorWrite | access::kTransferRead, access::kColorWrite);
+               access::kColorWrite | access::kTransferRead | access::kFragmentReadWrite, access::kColorWrite);
+}
+
+void CommandBuffer::prepareSampling(const AttachmentImage& image) {
+  imageBarrier(image, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+               access::kColorWrite, access::kFragmentReadWrite);
 }
 
 void CommandBuffer::copyToBuffer(const AttachmentImage& image, const Buffer& buffer) {

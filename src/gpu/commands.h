@@ -47,16 +47,19 @@ struct Rows {
   std::uint32_t count = 0;
 };
 
-// What a binding is bound to: a buffer (storage or uniform, as the shader declares) or a texel view.
+// What a binding is bound to: a buffer (storage or uniform, as the shader declares), a texel view, or an image prepared
+// for sampling.
 class Descriptor {
  public:
-  Descriptor(const Buffer& buffer) : buffer_(&buffer) {}    // NOLINT(google-explicit-constructor)
-  Descriptor(const TexelView& view) : view_(view.get()) {}  // NOLINT(google-explicit-constructor)
+  Descriptor(const Buffer& buffer) : buffer_(&buffer) {}              // NOLINT(google-explicit-constructor)
+  Descriptor(const TexelView& view) : view_(view.get()) {}            // NOLINT(google-explicit-constructor)
+  Descriptor(const AttachmentImage& image) : image_(image.view()) {}  // NOLINT(google-explicit-constructor)
 
  private:
   friend class CommandBuffer;
   const Buffer* buffer_ = nullptr;
   VkBufferView view_ = VK_NULL_HANDLE;
+  VkImageView image_ = VK_NULL_HANDLE;
 };
 
 // A primary command buffer, recording from its construction on; submitted at most once. Everything recorded must
@@ -113,8 +116,10 @@ class CommandBuffer {
     vkCmdDrawIndexedIndirect(commands_, arguments.get(), offsetBytes, 1, 0);
   }
 
-  // Attachment images are kept in one layout, ready for rendering, after this.
+  // Attachment images are kept in one layout, ready for rendering, after this. Their content is forgotten.
   void prepareAttachment(const AttachmentImage& image);
+  // What was rendered can be read by fragment shaders after this, until the image is prepared for rendering again.
+  void prepareSampling(const AttachmentImage& image);
   // Copies a whole attachment to a buffer, tightly packed, row 0 first. The attachment is ready for rendering again.
   void copyToBuffer(const AttachmentImage& image, const Buffer& buffer);
   void copy(const Buffer& from, std::uint64_t fromOffset, const Buffer& to, std::uint64_t toOffset,

@@ -7,7 +7,7 @@
 namespace tetralux::gpu {
 
 AttachmentImage::AttachmentImage(const Context& context, std::uint32_t width, std::uint32_t height, VkFormat format,
-                                 const std::string& name)
+                                 const std::string& name, bool isSampled)
     : width_(width), height_(height), format_(format) {
   const std::uint32_t limit = context.info().largestImageSide;
   if (width > limit || height > limit)
@@ -22,6 +22,7 @@ AttachmentImage::AttachmentImage(const Context& context, std::uint32_t width, st
   info.samples = VK_SAMPLE_COUNT_1_BIT;
   info.tiling = VK_IMAGE_TILING_OPTIMAL;
   info.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+  if (isSampled) info.usage |= VK_IMAGE_USAGE_SAMPLED_BIT;
   VkImage image = VK_NULL_HANDLE;
   VK_CHECK(vkCreateImage(context.device(), &info, nullptr, &image));
   image_ = {context.device(), image, vkDestroyImage};

@@ -1,4 +1,4 @@
-// The picture on the device: a colour attachment that can be copied to the host.
+// Pictures on the device: colour attachments that can be copied to the host.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,10 @@ namespace tetralux::gpu {
 class AttachmentImage {
  public:
   AttachmentImage() = default;
+  //   isSampled   shaders will read it, too
   // Throws Error(Device) when the sides are beyond the device's limit or memory is short.
   AttachmentImage(const Context& context, std::uint32_t width, std::uint32_t height, VkFormat format,
-                  const std::string& name);
+                  const std::string& name, bool isSampled = false);
 
   VkImage get() const { return image_.get(); }
   VkImageView view() const { return view_.get(); }

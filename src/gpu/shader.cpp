@@ -154,7 +154,8 @@ class Module {
     const bool isBuffer = image.operands[2] == kDimBuffer;
     const bool isSampled = image.operands[6] == 1;
     if (isBuffer) return isSampled ? VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER;
-    return isSampled ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+    if (!isSampled) return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+    return type.op == OpTypeSampledImage ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER : VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE;
   }
 
   // Bytes of a block's member; `owner` and `member` give the matrix stride, which belongs to the member.

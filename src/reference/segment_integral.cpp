@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/vec2.hpp>
 
 namespace tetralux::reference {
 namespace {
@@ -23,33 +24,46 @@ constexpr double kPanelDepth = 0.5;
 // exp(-45) is 3e-20: nothing behind it shows in double precision.
 constexpr double kOpaqueDepth = 45.0;
 
-}  // namespace
-
-double emissionMoment(double depthFront, double depthBack) {
+// Integrates over a linear piece, u from 0 at its front to 1, in panels of equal optical depth as far as light gets.
+//   integrand   of u and the transmittance from the front to u
+template <typename Value, typename Integrand>
+Value integratePiece(double depthFront, double depthBack, Value sum, const Integrand& integrand) {
   const double slope = depthBack - depthFront;
   const double total = 0.5 * (depthFront + depthBack);
-  if (!(total > 0.0)) return 0.0;
   // u at which the optical depth from the front is T: the root of slope u^2/2 + depthFront u = T that does not cancel.
   const auto inverse = [&](double T) {
     const double root = std::sqrt(std::max(0.0, depthFront * depthFront + 2.0 * slope * T));
     return std::min(1.0, 2.0 * T / (depthFront + root));
   };
   const double reach = std::min(total, kOpaqueDepth);
-  const int panels = static_cast<int>(std::ceil(reach / kPanelDepth));
-  double sum = 0.0;
+  const int panels = std::max(1, static_cast<int>(std::ceil(reach / kPanelDepth)));
   double u0 = 0.0;
   for (int k = 1; k <= panels; k++) {
     const double u1 = k == panels && reach == total ? 1.0 : inverse(reach * k / panels);
     const double half = 0.5 * (u1 - u0);
     const double middle = 0.5 * (u1 + u0);
-    const auto integrand = [&](double u) {
-      return u * (depthFront + slope * u) * std::exp(-u * (depthFront + 0.5 * slope * u));
-    };
+    const auto at = [&](double u) { return integrand(u, std::exp(-u * (depthFront + 0.5 * slope * u))); };
     for (const Node& node : kNodes)
-      sum += half * node.weight * (integrand(middle - half * node.x) + integrand(middle + half * node.x));
+      sum += half * node.weight * (at(middle - half * node.x) + at(middle + half * node.x));
     u0 = u1;
   }
   return sum;
+}
+
+}  // namespace
+
+double emissionMoment(double depthFront, double depthBack) {
+  if (!(depthFront + depthBack > 0.0)) return 0.0;
+  return integratePiece(depthFront, depthBack, 0.0, [&](double u, double transmittance) {
+    return u * (depthFront + (depthBack - depthFront) * u) * transmittance;
+  });
+}
+
+LengthMoments lengthMoments(double depthFront, double depthBack) {
+  const glm::dvec2 sum = integratePiece(depthFront, depthBack, glm::dvec2(0.0), [](double u, double transmittance) {
+    return glm::dvec2(transmittance, u * transmittance);
+  });
+  return {sum.x, sum.y};
 }
 
 SegmentOptics integrateSegment(const TransferFunction& transfer, double sFront, double sBack, double length) {
@@ -60,8 +74,14 @@ SegmentOptics integrateSegment(const TransferFunction& transfer, double sFront, 
     const double depthBack = back.extinction * pieceLength;
     const double alpha = -std::expm1(-0.5 * (depthFront + depthBack));
     const glm::dvec3 change = back.luminance - front.luminance;
-    glm::dvec3 light = front.luminance * alpha;
-    if (change != glm::dvec3(0.0)) light += change * emissionMoment(depthFront, depthBack);
+    glm::dvec3 light;
+    if (transfer.emission() == Emission::PerLength) {
+      const LengthMoments moments = lengthMoments(depthFront, depthBack);
+      light = pieceLength * (front.luminance * moments.even + change * moments.linear);
+    } else {
+      light = front.luminance * alpha;
+      if (change != glm::dvec3(0.0)) light += change * emissionMoment(depthFront, depthBack);
+    }
     result.light += transmittance * light;
     transmittance *= 1.0 - alpha;
     result.alpha += (1.0 - result.alpha) * alpha;

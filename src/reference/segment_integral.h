@@ -16,4 +16,12 @@ SegmentOptics integrateSegment(const TransferFunction& transfer, double sFront, 
 //   depthFront, depthBack   extinction times length at the two ends (b and a in the literature), >= 0
 double emissionMoment(double depthFront, double depthBack);
 
+// What emission per length needs of one linear piece: how much of the light that is emitted along it, evenly or in
+// proportion to the distance from its front, arrives at the eye.
+struct LengthMoments {
+  double even = 1.0;    // Psi = int_0^1 T(u) du, T the transmittance from the front to the share u of the piece
+  double linear = 0.5;  // X = int_0^1 u T(u) du
+};
+LengthMoments lengthMoments(double depthFront, double depthBack);
+
 }  // namespace tetralux::reference

@@ -26,7 +26,7 @@ void ApartPass::recordStore(gpu::CommandBuffer& commands, const FrameVariant& va
                             const TransferBuffer& transfer, const BatchStorage& batches, std::uint32_t firstSlot,
                             const PixelLists& lists, const shared::PixelBand& band, std::uint32_t kBuffer) {
   commands.beginRendering(lists.size().width, lists.size().height, {band.firstRow, band.rowCount});
-  commands.drawIndexedIndirect(storePipeline(variant.perspective, kBuffer),
+  commands.drawIndexedIndirect(storePipeline(variant, kBuffer),
                                {batches.modesView, batches.endsView, transfer.pieces(), transfer.pieceBins(),
                                 lists.heads(), lists.links(), lists.ranks(), lists.colors(), lists.counts()},
                                StorePush{push, band, firstSlot}, {&batches.positions, &batches.ends}, batches.indices,
@@ -41,30 +41,35 @@ void ApartPass::recordResolve(gpu::CommandBuffer& commands, const PixelLists& li
                     std::uint64_t{band.width} * band.rowCount);
 }
 
-void ApartPass::recordBlend(gpu::CommandBuffer& commands, const PixelLists& lists, const shared::PixelBand& band,
-                            const gpu::AttachmentImage& target, bool clear) {
+void ApartPass::recordBlend(gpu::CommandBuffer& commands, const FrameVariant& variant, const PixelLists& lists,
+                            const shared::PixelBand& band, const gpu::AttachmentImage& target, bool clear) {
   commands.beginRendering(target, clear, {band.firstRow, band.rowCount});
-  commands.draw(blendPipeline(target.format()), {lists.heads(), lists.colors()}, band, 3);
+  commands.draw(blendPipeline(variant.output, target.format()), {lists.heads(), lists.colors()}, band, 3);
   commands.endRendering();
 }
 
-const gpu::GraphicsPipeline& ApartPass::storePipeline(bool perspective, std::uint32_t kBuffer) {
-  const std::pair key{perspective, kBuffer};
+const gpu::GraphicsPipeline& ApartPass::storePipeline(const FrameVariant& variant, std::uint32_t kBuffer) {
+  const StoreKey key{variant.perspective, variant.emissionPerLength, kBuffer};
   const auto found = store_.find(key);
   if (found != store_.end()) return found->second;
   gpu::GraphicsState state;
   state.streams = {{VK_FORMAT_R32G32_SFLOAT, 8}, {VK_FORMAT_R32G32B32A32_SFLOAT, 16}};
-  const gpu::SpecConstants constants = {{SPEC_PERSPECTIVE, perspective}, {SPEC_KBUFFER, kBuffer}};
+  const gpu::SpecConstants constants = {{SPEC_PERSPECTIVE, variant.perspective},
+                                        {SPEC_EMISSION_PER_LENGTH, variant.emissionPerLength},
+                                        {SPEC_KBUFFER, kBuffer}};
   return store_.emplace(key, gpu::GraphicsPipeline(context_, fanVertex_, storeFragment_, state, constants))
       .first->second;
 }
 
-const gpu::GraphicsPipeline& ApartPass::blendPipeline(VkFormat format) {
-  const auto found = blend_.find(format);
+const gpu::GraphicsPipeline& ApartPass::blendPipeline(std::uint32_t output, VkFormat format) {
+  const std::pair key{output, format};
+  const auto found = blend_.find(key);
   if (found != blend_.end()) return found->second;
   gpu::GraphicsState state;
   state.colorFormat = format;
-  return blend_.emplace(format, gpu::GraphicsPipeline(context_, blendVertex_, blendFragment_, state)).first->second;
+  const gpu::SpecConstants constants = {{SPEC_OUTPUT, output}};
+  return blend_.emplace(key, gpu::GraphicsPipeline(context_, blendVertex_, blendFragment_, state, constants))
+      .first->second;
 }
 
 }  // namespace tetralux::render

@@ -24,12 +24,12 @@ class ApartPass {
   //   shortPixels   one uint: adds the pixels where the k-buffer was too small
   void recordResolve(gpu::CommandBuffer& commands, const PixelLists& lists, const shared::PixelBand& band,
                      std::uint32_t kBuffer, const gpu::Buffer& shortPixels);
-  void recordBlend(gpu::CommandBuffer& commands, const PixelLists& lists, const shared::PixelBand& band,
-                   const gpu::AttachmentImage& target, bool clear);
+  void recordBlend(gpu::CommandBuffer& commands, const FrameVariant& variant, const PixelLists& lists,
+                   const shared::PixelBand& band, const gpu::AttachmentImage& target, bool clear);
 
  private:
-  const gpu::GraphicsPipeline& storePipeline(bool perspective, std::uint32_t kBuffer);
-  const gpu::GraphicsPipeline& blendPipeline(VkFormat format);
+  const gpu::GraphicsPipeline& storePipeline(const FrameVariant& variant, std::uint32_t kBuffer);
+  const gpu::GraphicsPipeline& blendPipeline(std::uint32_t output, VkFormat format);
 
   const gpu::Context& context_;
   gpu::Shader fanVertex_;
@@ -37,8 +37,14 @@ class ApartPass {
   gpu::Shader blendVertex_;
   gpu::Shader blendFragment_;
   ComputeVariants resolve_;
-  std::map<std::pair<bool, std::uint32_t>, gpu::GraphicsPipeline> store_;
-  std::map<VkFormat, gpu::GraphicsPipeline> blend_;
+  struct StoreKey {
+    bool perspective;
+    bool emissionPerLength;
+    std::uint32_t kBuffer;
+    auto operator<=>(const StoreKey&) const = default;
+  };
+  std::map<StoreKey, gpu::GraphicsPipeline> store_;
+  std::map<std::pair<std::uint32_t, VkFormat>, gpu::GraphicsPipeline> blend_;
 };
 
 }  // namespace tetralux::render

@@ -13,22 +13,22 @@ struct Frame {
   const FrameInputs& inputs;
   FramePasses& passes;
   FrameStorage& storage;
-  const gpu::AttachmentImage& target;
-  bool isCleared = false;  // the target holds what was drawn so far
+  const FrameTarget& target;
+  bool isCleared = false;  // the picture holds what was drawn so far
 };
 
-// The first pass that draws into the target finds it empty.
+// The first pass that draws into the picture finds it empty.
 bool takeClear(Frame& frame, gpu::CommandBuffer& commands) {
   if (frame.isCleared) return false;
-  commands.prepareAttachment(frame.target);
+  commands.prepareAttachment(frame.target.picture);
   frame.isCleared = true;
   return true;
 }
 
 template <typename Draw>
-void forEachBatch(SlotSpan slots, const Draw& draw) {
+void forEachBatch(SlotSpan slots, std::uint32_t cells, const Draw& draw) {
   for (std::uint32_t first = slots.first; first < slots.end;) {
-    const std::uint32_t end = first + std::min(shared::BATCH_CELLS, slots.end - first);
+    const std::uint32_t end = first + std::min(cells, slots.end - first);
     draw(SlotSpan{first, end});
     first = end;
   }
@@ -41,15 +41,27 @@ void recordProject(Frame& frame, const CellSequence& sequence, SlotSpan batch, b
                                    isCounted);
 }
 
+// combine: a chunk over what lies behind
+void combineChunk(Frame& frame, const gpu::AttachmentImage& chunk) {
+  gpu::CommandBuffer& commands = frame.recorder.pass("combine");
+  commands.prepareSampling(chunk);
+  const bool clear = takeClear(frame, commands);
+  frame.passes.combine.record(commands, chunk, frame.target.picture, clear);
+  commands.barrier(kColorWrite, kColorWrite);
+}
+
 // project, raster: cells one after the other, each over what lies behind
 void drawInOrder(Frame& frame, const CellSequence& sequence, SlotSpan slots) {
-  forEachBatch(slots, [&](SlotSpan batch) {
+  const gpu::AttachmentImage* chunk = frame.target.chunk;
+  forEachBatch(slots, chunk ? frame.target.chunkCells : shared::BATCH_CELLS, [&](SlotSpan batch) {
     recordProject(frame, sequence, batch, /*isCounted=*/true);
     gpu::CommandBuffer& commands = frame.recorder.pass("raster");
-    const bool clear = takeClear(frame, commands);
+    if (chunk) commands.prepareAttachment(*chunk);
+    const bool clear = chunk || takeClear(frame, commands);
     frame.passes.raster.recordBatch(commands, frame.inputs.variant, frame.inputs.setup.raster, frame.inputs.transfer,
-                                    frame.storage.batches, frame.target, clear);
+                                    frame.storage.batches, chunk ? *chunk : frame.target.picture, clear);
     commands.barrier(kVertexRead | kColorWrite, kComputeWrite | kColorWrite);  // the next batch reuses the fans
+    if (chunk) combineChunk(frame, *chunk);
   });
 }
 
@@ -70,7 +82,7 @@ void drawApart(Frame& frame, const CellSequence& sequence, SlotSpan slots) {
       lists->recordClearLists(commands);
       commands.barrier(kTransferWrite, kFragmentReadWrite);
     }
-    forEachBatch(slots, [&](SlotSpan batch) {
+    forEachBatch(slots, shared::BATCH_CELLS, [&](SlotSpan batch) {
       recordProject(frame, sequence, batch, isCounted);
       gpu::CommandBuffer& commands = frame.recorder.pass("apart");
       frame.passes.apart.recordStore(commands, frame.inputs.variant, frame.inputs.setup.raster, frame.inputs.transfer,
@@ -84,7 +96,7 @@ void drawApart(Frame& frame, const CellSequence& sequence, SlotSpan slots) {
     frame.passes.apart.recordResolve(commands, *lists, band, sequence.kBuffer, frame.storage.shortPixels);
     commands.barrier(kComputeWrite, kFragmentReadWrite);
     const bool clear = takeClear(frame, commands);
-    frame.passes.apart.recordBlend(commands, *lists, band, frame.target, clear);
+    frame.passes.apart.recordBlend(commands, frame.inputs.variant, *lists, band, frame.target.picture, clear);
     commands.barrier(kFragmentReadWrite | kColorWrite, kTransferWrite | kFragmentReadWrite | kColorWrite);
     row += band.rowCount;
   }
@@ -105,10 +117,10 @@ std::uint64_t FrameStorage::sizeBytes() const {
 }
 
 FramePasses::FramePasses(const gpu::Context& context)
-    : cull(context), project(context), raster(context), apart(context) {}
+    : cull(context), project(context), raster(context), combine(context), apart(context) {}
 
 OrderReport drawFrame(gpu::Recorder& recorder, const FrameInputs& inputs, FramePasses& passes, CellOrder& order,
-                      FrameStorage& storage, const gpu::AttachmentImage& target) {
+                      FrameStorage& storage, const FrameTarget& target) {
   Frame frame{recorder, inputs, passes, storage, target};
 
   // cull: a sort key for every cell that a pixel's ray meets

@@ -6,6 +6,7 @@
 #include "gpu/recorder.h"
 #include "render/apart_pass.h"
 #include "render/batch.h"
+#include "render/combine_pass.h"
 #include "render/cull_pass.h"
 #include "render/frame_view.h"
 #include "render/gpu_mesh.h"
@@ -13,6 +14,7 @@
 #include "render/project_pass.h"
 #include "render/raster_pass.h"
 #include "render/sort_pass.h"
+#include "render/target_images.h"
 #include "render/transfer_buffer.h"
 #include "shared/counters.h"
 
@@ -36,6 +38,7 @@ struct FramePasses {
   CullPass cull;
   ProjectPass project;
   RasterPass raster;
+  CombinePass combine;
   ApartPass apart;
 
   explicit FramePasses(const gpu::Context& context);
@@ -54,6 +57,6 @@ struct FrameInputs {
 
 // Draws a frame into `target`, whose old content is forgotten, and waits for it. Returns how right the order was.
 OrderReport drawFrame(gpu::Recorder& recorder, const FrameInputs& inputs, FramePasses& passes, CellOrder& order,
-                      FrameStorage& storage, const gpu::AttachmentImage& target);
+                      FrameStorage& storage, const FrameTarget& target);
 
 }  // namespace tetralux::render

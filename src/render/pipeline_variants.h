@@ -1,6 +1,7 @@
 // Pipelines of one shader for different specialisation constants, made when first needed.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
@@ -16,6 +17,8 @@ struct FrameVariant {
   bool cellField = false;
   bool nearCells = false;
   bool wideAddressing = false;
+  bool emissionPerLength = false;
+  std::uint32_t output = 0;  // shared/target_output.h
 
   gpu::SpecConstants specConstants() const;
 };

@@ -22,13 +22,15 @@ void RasterPass::recordBatch(gpu::CommandBuffer& commands, const FrameVariant& v
 }
 
 const gpu::GraphicsPipeline& RasterPass::pipeline(const FrameVariant& variant, VkFormat format) {
-  const Key key{variant.perspective, format};
+  const Key key{variant.perspective, variant.emissionPerLength, variant.output, format};
   const auto found = pipelines_.find(key);
   if (found != pipelines_.end()) return found->second;
   gpu::GraphicsState state;
   state.streams = {{VK_FORMAT_R32G32_SFLOAT, 8}, {VK_FORMAT_R32G32B32A32_SFLOAT, 16}};
   state.colorFormat = format;
-  const gpu::SpecConstants constants = {{SPEC_PERSPECTIVE, variant.perspective}};
+  const gpu::SpecConstants constants = {{SPEC_PERSPECTIVE, variant.perspective},
+                                        {SPEC_EMISSION_PER_LENGTH, variant.emissionPerLength},
+                                        {SPEC_OUTPUT, variant.output}};
   return pipelines_.emplace(key, gpu::GraphicsPipeline(context_, vertex_, fragment_, state, constants)).first->second;
 }
 

@@ -26,6 +26,8 @@ class RasterPass {
   gpu::Shader fragment_;
   struct Key {
     bool perspective;
+    bool emissionPerLength;
+    std::uint32_t output;
     VkFormat format;
     auto operator<=>(const Key&) const = default;
   };

@@ -1,19 +1,20 @@
 #include "render/renderer.h"
 
-#include <glm/gtc/packing.hpp>
+#include <algorithm>
 
 #include "base/check.h"
 #include "base/parallel.h"
 #include "mesh/adjacency.h"
 #include "mesh/overlaps.h"
 #include "render/order/make_order.h"
+#include "render/rounding_probe.h"
+#include "shared/target_output.h"
 
 namespace tetralux::render {
 namespace {
 
-VkFormat formatOf(Target target) {
-  return target == Target::Rgba32f ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT;
-}
+// Every so many pixels along both axes one counts roundings for Target::Auto.
+constexpr std::uint32_t kMeasureStep = 4;
 
 // Whether a buffer of the frame or mesh is longer than texel buffers or storage descriptors reach.
 bool needsWideAddressing(const gpu::DeviceInfo& info, const GpuMesh& mesh) {
@@ -27,8 +28,6 @@ SortVariant sortVariant(const gpu::Context& context, const RendererOptions& opti
 
 }  // namespace
 
-const char* targetName(Target target) { return target == Target::Rgba32f ? "rgba32f" : "rgba16f"; }
-
 Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const ScalarField& field,
                    const RendererOptions& options)
     : context_(context),
@@ -36,28 +35,26 @@ Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const Scala
       wideAddressing_(options.forceWideAddressing || needsWideAddressing(context.info(), mesh_)),
       checkOrder_(options.checkOrder),
       passes_(context),
-      storage_(context, mesh_.cellCount(), sortVariant(context, options)) {
+      storage_(context, mesh_.cellCount(), sortVariant(context, options)),
+      target_(context) {
+  std::optional<Adjacency> adjacency;
   if (options.checkOrder || needsVisibility(options.order)) {
-    const Adjacency adjacency = makeAdjacency(mesh);
-    visibility_ = std::make_unique<VisibilityKit>(context, adjacency, findOverlaps(mesh, adjacency));
+    adjacency = makeAdjacency(mesh);
+    visibility_ = std::make_unique<VisibilityKit>(context, *adjacency, findOverlaps(mesh, *adjacency));
   }
-  order_ = makeOrder(context, options.order, options.kBuffer, sortVariant(context, options), visibility_.get());
+  order_ = makeOrder(context, {mesh, mesh_.space(), adjacency ? &*adjacency : nullptr}, options.order, options.kBuffer,
+                     sortVariant(context, options), visibility_.get());
 }
 
 void Renderer::setTransferFunction(const TransferFunction& transfer) {
   transfer_ = std::make_unique<TransferBuffer>(context_, transfer, mesh_.space());
+  choice_.reset();
 }
 
-FrameStats Renderer::draw(const Camera& camera, ImageSize size, const RenderOptions& options) {
-  CHECK(transfer_ != nullptr);
+OrderReport Renderer::drawInto(gpu::Recorder& recorder, const Camera& camera, ImageSize size, std::uint32_t output,
+                               const FrameTarget& target, bool checkOrder) {
   const FrameSetup setup =
       makeFrameSetup(camera, size, mesh_.space(), mesh_.cellCount(), transfer_->supportCount(), kCentroidKeyBits);
-  const VkFormat format = formatOf(options.target);
-  if (!target_ || target_->width() != size.width || target_->height() != size.height || target_->format() != format) {
-    readback_.reset();
-    target_.reset();
-    target_ = std::make_unique<gpu::AttachmentImage>(context_, size.width, size.height, format, "target");
-  }
   gpu::upload(context_, storage_.view, &setup.view, sizeof setup.view);
 
   FrameVariant variant;
@@ -65,51 +62,60 @@ FrameStats Renderer::draw(const Camera& camera, ImageSize size, const RenderOpti
   variant.cellField = mesh_.isCellField();
   variant.nearCells = setup.nearCells;
   variant.wideAddressing = wideAddressing_;
-  gpu::Recorder recorder(context_, options.timed ? gpu::bestTiming(context_.info()) : gpu::PassTiming::Off);
-  const OrderReport order = drawFrame(recorder, {context_, mesh_, *transfer_, setup, variant, size, checkOrder_},
-                                      passes_, *order_, storage_, *target_);
+  variant.emissionPerLength = transfer_->emission() == Emission::PerLength;
+  variant.output = output;
+  return drawFrame(recorder, {context_, mesh_, *transfer_, setup, variant, size, checkOrder}, passes_, *order_,
+                   storage_, target);
+}
+
+Target Renderer::chooseTarget(const Camera& camera, ImageSize size, gpu::PassTiming timing, FrameStats& stats) {
+  if (choice_ && choice_->camera == camera && choice_->size == size) return choice_->target;
+  if (!roundsToNearest_) roundsToNearest_ = halfBlendingRoundsToNearest(context_);
+  const auto part = [](std::uint32_t side) { return (side + kMeasureStep - 1) / kMeasureStep; };
+  const ImageSize smaller{part(size.width), part(size.height)};
+  TargetImages images(context_);
+  images.prepare(smaller, Target::Rgba32f);
+  gpu::Recorder recorder(context_, timing);
+  drawInto(recorder, camera, smaller, *roundsToNearest_ ? shared::OUTPUT_ROUNDINGS : shared::OUTPUT_TRUNCATIONS,
+           {images.picture()}, /*checkOrder=*/false);
+  double worst = 0.0;
+  for (const glm::vec4& pixel : images.read().pixels) worst = std::max(worst, static_cast<double>(pixel.x));
+  choice_ = {camera, size, halfFloatHolds(worst, *roundsToNearest_) ? Target::Rgba16f : Target::Rgba32f};
+  stats.frameMs += recorder.totalMs();
+  if (timing != gpu::PassTiming::Off) stats.passes.push_back({"measure", recorder.totalMs()});
+  return choice_->target;
+}
+
+FrameStats Renderer::draw(const Camera& camera, ImageSize size, const RenderOptions& options) {
+  CHECK(transfer_ != nullptr);
+  const gpu::PassTiming timing = options.timed ? gpu::bestTiming(context_.info()) : gpu::PassTiming::Off;
+  FrameStats stats;
+  stats.target = options.target == Target::Auto ? chooseTarget(camera, size, timing, stats) : options.target;
+  target_.prepare(size, stats.target);
+  const FrameTarget target{target_.picture(), target_.chunk(), chunkCellCount(options.chunkCells, mesh_.cellCount())};
+  const std::uint32_t output = stats.target == Target::Rgba8Dither ? shared::OUTPUT_DITHERED : shared::OUTPUT_COLOR;
+  gpu::Recorder recorder(context_, timing);
+  stats.order = drawInto(recorder, camera, size, output, target, checkOrder_);
 
   shared::FrameCounters counters;
   gpu::download(context_, storage_.counters, &counters, sizeof counters);
-  FrameStats stats;
   stats.drawnCells = counters.drawn;
   stats.triangles = counters.triangles;
   stats.clippedCells = counters.clipped;
   stats.culledOutside = counters.outside;
   stats.culledNoSample = counters.noSample;
   stats.culledTransparent = counters.transparent;
-  stats.order = order;
-  stats.passes = recorder.passTimes();
-  stats.frameMs = recorder.totalMs();
+  stats.passes.insert(stats.passes.end(), recorder.passTimes().begin(), recorder.passTimes().end());
+  stats.frameMs += recorder.totalMs();
   return stats;
 }
 
-Image Renderer::readImage(FrameStats* stats) {
-  CHECK(target_ != nullptr);
-  Image image(target_->width(), target_->height());
-  const bool isHalf = target_->format() == VK_FORMAT_R16G16B16A16_SFLOAT;
-  const std::uint64_t bytes = image.pixels.size() * (isHalf ? sizeof(std::uint64_t) : sizeof(glm::vec4));
-  if (!readback_) readback_ = std::make_unique<gpu::Buffer>(context_, bytes, gpu::MemoryKind::Readback, "readback");
-  gpu::CommandBuffer commands(context_);
-  commands.copyToBuffer(*target_, *readback_);
-  commands.barrier(gpu::access::kTransferWrite, gpu::access::kHostRead);
-  const double milliseconds = commands.submitAndWait();
-  if (stats) stats->readbackMs = milliseconds;
-  if (isHalf) {
-    const auto packed = readback_->as<std::uint64_t>();
-    for (size_t i = 0; i < image.pixels.size(); i++) image.pixels[i] = glm::unpackHalf4x16(packed[i]);
-  } else {
-    const auto pixels = readback_->as<glm::vec4>();
-    std::copy_n(pixels.begin(), image.pixels.size(), image.pixels.begin());
-  }
-  return image;
-}
+Image Renderer::readImage(FrameStats* stats) { return target_.read(stats ? &stats->readbackMs : nullptr); }
 
 MemoryUse Renderer::memoryUse() const {
   MemoryUse use;
   use.meshBytes = mesh_.sizeBytes();
-  use.frameBytes =
-      storage_.sizeBytes() + (target_ ? target_->sizeBytes() : 0) + (readback_ ? readback_->sizeBytes() : 0);
+  use.frameBytes = storage_.sizeBytes() + target_.sizeBytes();
   use.orderBytes = order_->sizeBytes() + (visibility_ ? visibility_->sizeBytes() : 0);
   use.tableBytes = transfer_ ? transfer_->sizeBytes() : 0;
   return use;

@@ -17,15 +17,10 @@
 
 namespace tetralux::render {
 
-// What cells are blended into.
-enum class Target {
-  Rgba32f,
-  Rgba16f,  // half the memory; wrong by several 8-bit levels where more than about 20 thin cells lie behind each other
-};
-
 struct RenderOptions {
   Target target = Target::Rgba32f;
-  bool timed = false;  // time every pass (costs a little)
+  std::uint32_t chunkCells = 0;  // of Target::Rgba16fChunked; 0: a 32nd of the mesh's cells (chunkCellCount)
+  bool timed = false;            // time every pass (costs a little)
 };
 
 struct RendererOptions {
@@ -46,6 +41,7 @@ struct FrameStats {
   std::uint64_t culledNoSample = 0;
   std::uint64_t culledTransparent = 0;
   std::vector<gpu::PassTime> passes;  // when timed
+  Target target = Target::Rgba32f;    // what was drawn into; never Auto
   OrderReport order;
   double frameMs = 0.0;     // device work until the picture is ready there
   double readbackMs = 0.0;  // picture to host memory
@@ -78,6 +74,12 @@ class Renderer {
   const MeshSpace& space() const { return mesh_.space(); }
 
  private:
+  OrderReport drawInto(gpu::Recorder& recorder, const Camera& camera, ImageSize size, std::uint32_t output,
+                       const FrameTarget& target, bool checkOrder);
+  // Target::Auto: draws a small frame that counts roundings and applies halfFloatHolds() to the worst of its pixels.
+  // Adds what it took to the statistics, as pass "measure".
+  Target chooseTarget(const Camera& camera, ImageSize size, gpu::PassTiming timing, FrameStats& stats);
+
   const gpu::Context& context_;
   GpuMesh mesh_;
   bool wideAddressing_;
@@ -87,11 +89,16 @@ class Renderer {
   std::unique_ptr<VisibilityKit> visibility_;
   std::unique_ptr<CellOrder> order_;
   std::unique_ptr<TransferBuffer> transfer_;
-  std::unique_ptr<gpu::AttachmentImage> target_;
-  std::unique_ptr<gpu::Buffer> readback_;
-};
+  TargetImages target_;
 
-// Names on the command line and in statistics.
-const char* targetName(Target target);
+  // What Target::Auto became, and for which frame; forgotten with the transfer function.
+  struct TargetChoice {
+    Camera camera;
+    ImageSize size;
+    Target target;
+  };
+  std::optional<TargetChoice> choice_;
+  std::optional<bool> roundsToNearest_;  // halfBlendingRoundsToNearest(), once it is needed
+};
 
 }  // namespace tetralux::render

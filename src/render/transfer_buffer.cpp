@@ -17,8 +17,15 @@ constexpr float kFarAway = 1e30f;
 // A piece in the device's units and precision.
 struct DevicePiece {
   float low, high;
-  OpticalSample atLow, atHigh;  // extinction per mesh unit
+  OpticalSample atLow, atHigh;  // extinction, and emission per length, per mesh unit
 };
+
+// What decides whether a scalar shows, and how much a wrong thickness would: extinction, or with emission per length
+// the brightest channel if that is more.
+double strength(const OpticalSample& sample, Emission emission) {
+  if (emission == Emission::PerExtinction) return sample.extinction;
+  return std::max({sample.extinction, sample.luminance.x, sample.luminance.y, sample.luminance.z});
+}
 
 std::vector<DevicePiece> devicePieces(const TransferFunction& transfer, const MeshSpace& space) {
   std::vector<DevicePiece> result;
@@ -27,6 +34,10 @@ std::vector<DevicePiece> devicePieces(const TransferFunction& transfer, const Me
                   std::isinf(piece.high) ? kFarAway : space.scalar(piece.high), piece.atLow, piece.atHigh};
     p.atLow.extinction *= space.scale;
     p.atHigh.extinction *= space.scale;
+    if (transfer.emission() == Emission::PerLength) {
+      p.atLow.luminance *= space.scale;
+      p.atHigh.luminance *= space.scale;
+    }
     if (p.low < p.high) result.push_back(p);
   }
   return result;
@@ -43,13 +54,14 @@ void addTexels(const DevicePiece& p, std::vector<glm::vec4>& texels) {
   texels.emplace_back(glm::vec3(luminanceSlope), 0.0f);
 }
 
-// Pieces next to each other with extinction inside become one interval.
-std::vector<glm::vec4> supportIntervals(const std::vector<DevicePiece>& pieces) {
+// Pieces next to each other with something to see inside become one interval.
+std::vector<glm::vec4> supportIntervals(const std::vector<DevicePiece>& pieces, Emission emission) {
   std::vector<glm::vec4> result;
   for (const DevicePiece& p : pieces) {
-    if (p.atLow.extinction == 0.0 && p.atHigh.extinction == 0.0) continue;
-    // At a step up, a scalar exactly on the step already has extinction.
-    const float low = p.atLow.extinction > 0.0 ? std::nextafter(p.low, -std::numeric_limits<float>::infinity()) : p.low;
+    const double atLow = strength(p.atLow, emission);
+    if (atLow == 0.0 && strength(p.atHigh, emission) == 0.0) continue;
+    // At a step up, a scalar exactly on the step already shows.
+    const float low = atLow > 0.0 ? std::nextafter(p.low, -std::numeric_limits<float>::infinity()) : p.low;
     if (!result.empty() && result.back().y >= low)
       result.back().y = p.high;
     else
@@ -59,7 +71,7 @@ std::vector<glm::vec4> supportIntervals(const std::vector<DevicePiece>& pieces) 
 }
 
 // A sparse table for range maxima (Bender and Farach-Colton 2000): entry b of level l covers 2^l bins from bin b on.
-std::vector<float> largestExtinctions(const std::vector<DevicePiece>& pieces) {
+std::vector<float> largestStrengths(const std::vector<DevicePiece>& pieces, Emission emission) {
   std::vector<float> table(std::size_t{shared::EXTINCTION_LEVELS} * TRANSFER_BINS, 0.0f);
   for (std::uint32_t bin = 0; bin < TRANSFER_BINS; bin++) {
     // The shader's bin of a scalar may be one off by rounding at the bin's ends; scalars beyond the range are in the
@@ -70,7 +82,8 @@ std::vector<float> largestExtinctions(const std::vector<DevicePiece>& pieces) {
       if (p.high < low || p.low > high) continue;
       const auto at = [&](float s) {
         const double t = (static_cast<double>(s) - double{p.low}) / (double{p.high} - double{p.low});
-        return static_cast<float>(p.atLow.extinction + t * (p.atHigh.extinction - p.atLow.extinction));
+        const double atLow = strength(p.atLow, emission);
+        return static_cast<float>(atLow + t * (strength(p.atHigh, emission) - atLow));
       };
       table[bin] = std::max({table[bin], at(std::max(low, p.low)), at(std::min(high, p.high))});
     }
@@ -108,16 +121,17 @@ TransferTables makeTransferTables(const TransferFunction& transfer, const MeshSp
     tables.pieceBins.push_back(pieceAt(std::nextafter(low, -1.0f)));
     tables.pieceBins.push_back(pieceAt(std::nextafter(high, 1.0f)));
   }
-  tables.largestExtinction = largestExtinctions(pieces);
-  tables.support = supportIntervals(pieces);
+  tables.largestExtinction = largestStrengths(pieces, transfer.emission());
+  tables.support = supportIntervals(pieces, transfer.emission());
   return tables;
 }
 
 TransferBuffer::TransferBuffer(const gpu::Context& context, const TransferFunction& transfer, const MeshSpace& space)
-    : TransferBuffer(context, makeTransferTables(transfer, space)) {}
+    : TransferBuffer(context, makeTransferTables(transfer, space), transfer.emission()) {}
 
-TransferBuffer::TransferBuffer(const gpu::Context& context, const TransferTables& tables)
-    : supportCount_(static_cast<std::uint32_t>(tables.support.size())),
+TransferBuffer::TransferBuffer(const gpu::Context& context, const TransferTables& tables, Emission emission)
+    : emission_(emission),
+      supportCount_(static_cast<std::uint32_t>(tables.support.size())),
       pieceBuffer_(gpu::makeBuffer(context, tables.pieces, "transfer pieces")),
       binBuffer_(gpu::makeBuffer(context, tables.pieceBins, "transfer piece bins")),
       extinctionBuffer_(gpu::makeBuffer(context, tables.largestExtinction, "largest extinctions")),

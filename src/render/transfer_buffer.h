@@ -16,12 +16,13 @@ namespace tetralux::render {
 struct TransferTables {
   std::vector<glm::vec4> pieces;         // TRANSFER_PIECE_TEXELS per piece
   std::vector<std::uint32_t> pieceBins;  // two per bin: the pieces at its low and high end
-  std::vector<float> largestExtinction;  // EXTINCTION_LEVELS x TRANSFER_BINS, per mesh unit
-  std::vector<glm::vec4> support;        // xy: open intervals of scalars inside which there is extinction
+  std::vector<float> largestExtinction;  // EXTINCTION_LEVELS x TRANSFER_BINS, per mesh unit; or emission, if larger
+  std::vector<glm::vec4> support;        // xy: open intervals of scalars inside which there is extinction or emission
 };
 
-// Scalars are normalised, extinctions are per mesh unit. Pieces that single precision cannot tell from a step are
-// steps. A step's value at the step itself is the one after it, so the support of a step up is moved down by one ulp.
+// Scalars are normalised, extinctions and emissions per length are per mesh unit. Pieces that single precision cannot
+// tell from a step are steps. A step's value at the step itself is the one after it, so the support of a step up is
+// moved down by one ulp.
 TransferTables makeTransferTables(const TransferFunction& transfer, const MeshSpace& space);
 
 class TransferBuffer {
@@ -33,11 +34,13 @@ class TransferBuffer {
   const gpu::TexelView& largestExtinction() const { return extinctionView_; }
   const gpu::TexelView& support() const { return supportView_; }
   std::uint32_t supportCount() const { return supportCount_; }
+  Emission emission() const { return emission_; }
   std::uint64_t sizeBytes() const;
 
  private:
-  TransferBuffer(const gpu::Context& context, const TransferTables& tables);
+  TransferBuffer(const gpu::Context& context, const TransferTables& tables, Emission emission);
 
+  Emission emission_;
   std::uint32_t supportCount_;
   gpu::Buffer pieceBuffer_;
   gpu::Buffer binBuffer_;

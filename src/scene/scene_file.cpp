@@ -47,9 +47,7 @@ Scene parseScene(std::string_view text, const std::string& place, const std::fil
   }
   image.finish();
 
-  JsonObject transfer = root.object("transfer_function");
-  scene.transferFunction = TransferFunction(controlPoints(transfer), transfer.where("points"));
-  transfer.finish();
+  scene.transferFunction = parseTransferFunction(root.object("transfer_function"));
   root.finish();
   return scene;
 }

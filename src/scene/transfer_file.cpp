@@ -15,18 +15,19 @@ std::vector<ControlPoint> controlPoints(JsonObject& object) {
   return points;
 }
 
+TransferFunction parseTransferFunction(JsonObject object) {
+  Emission emission = Emission::PerExtinction;
+  if (object.has("emission") && object.oneOf("emission", {"per_extinction", "per_length"}) == 1)
+    emission = Emission::PerLength;
+  TransferFunction result(controlPoints(object), object.where("points"), emission);
+  object.finish();
+  return result;
+}
+
 TransferFunction readTransferFunction(const std::filesystem::path& path) {
   const nlohmann::json document = parseJson(readTextFile(path), path.string());
   JsonObject root(document, path.string(), "");
-  if (root.has("transfer_function")) {
-    JsonObject object = root.object("transfer_function");
-    TransferFunction result(controlPoints(object), object.where("points"));
-    object.finish();
-    return result;
-  }
-  TransferFunction result(controlPoints(root), root.where("points"));
-  root.finish();
-  return result;
+  return parseTransferFunction(root.has("transfer_function") ? root.object("transfer_function") : root);
 }
 
 std::vector<std::string> transferPresetNames() {

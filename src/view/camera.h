@@ -20,6 +20,8 @@ enum class Projection { Perspective, Orthographic };
 struct ImageSize {
   std::uint32_t width = 0;   // pixels, >= 1
   std::uint32_t height = 0;  // pixels, >= 1
+
+  bool operator==(const ImageSize&) const = default;
 };
 
 // A ray through a pixel's centre: origin + depth * direction for depth >= 0.
@@ -36,6 +38,8 @@ struct Camera {
   glm::dvec3 up{0.0, 0.0, 1.0};    // any length, not along the view direction
   double fovyDegrees = 30.0;       // perspective: full vertical field of view, in (0, 180)
   double heightWorld = 1.0;        // orthographic: world height of the view, > 0
+
+  bool operator==(const Camera&) const = default;
 
   // Rows: right, up, forward (unit vectors in the world). viewPosition = viewRotation * (world - eye).
   glm::dmat3 viewRotation() const;

@@ -34,8 +34,8 @@ OpticalSample TransferPiece::at(double s) const {
   return {atLow.luminance * (1.0 - t) + atHigh.luminance * t, atLow.extinction * (1.0 - t) + atHigh.extinction * t};
 }
 
-TransferFunction::TransferFunction(std::vector<ControlPoint> points, std::string_view place)
-    : points_(std::move(points)) {
+TransferFunction::TransferFunction(std::vector<ControlPoint> points, std::string_view place, Emission emission)
+    : points_(std::move(points)), emission_(emission) {
   if (points_.empty()) fail(ErrorCode::Input, "{}: has no point, expected at least one", place);
   for (size_t i = 0; i < points_.size(); i++) {
     checkPoint(points_[i], i, place);
@@ -68,7 +68,7 @@ double TransferFunction::largestExtinction() const {
 TransferFunction TransferFunction::scaled(double factor) const {
   std::vector<ControlPoint> points = points_;
   for (ControlPoint& p : points) p.tau *= factor;
-  return TransferFunction(std::move(points), "scaled transfer function");
+  return TransferFunction(std::move(points), "scaled transfer function", emission_);
 }
 
 }  // namespace tetralux

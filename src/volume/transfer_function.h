@@ -10,7 +10,7 @@ namespace tetralux {
 
 struct ControlPoint {
   double s = 0.0;
-  glm::dvec3 rgb{0.0};  // L, linear, >= 0
+  glm::dvec3 rgb{0.0};  // L or E, linear, >= 0
   double tau = 0.0;     // 1/world unit, >= 0
 };
 
@@ -31,7 +31,10 @@ class TransferFunction {
 
   // Throws Error(Input) beginning with `place` when there is no point, a number is not finite or negative, or s
   // decreases from one point to the next. Points of equal s make a step.
-  TransferFunction(std::vector<ControlPoint> points, std::string_view place);
+  TransferFunction(std::vector<ControlPoint> points, std::string_view place,
+                   Emission emission = Emission::PerExtinction);
+
+  Emission emission() const { return emission_; }
 
   const std::vector<ControlPoint>& points() const { return points_; }
 
@@ -45,12 +48,15 @@ class TransferFunction {
 
   double largestExtinction() const;
 
-  // The same with every extinction multiplied by `factor` >= 0.
+  // The same with every extinction multiplied by `factor` >= 0 (the global brightness of Marroquim et al. 2008, section
+  // 4.5). Emission per extinction scales with it, emission per length does not. Throws Error(Input) where an extinction
+  // becomes infinite.
   TransferFunction scaled(double factor) const;
 
  private:
   std::vector<ControlPoint> points_;
   std::vector<TransferPiece> pieces_;
+  Emission emission_;
 };
 
 }  // namespace tetralux

@@ -62,6 +62,9 @@ TEST(BadInput, ScenesAndMeshes) {
                    "s.json: camera: eye and center are both (0, 0, 0), expected two different points");
   expectInputError(kMesh, edited(kScene, "\"image\"", "\"images\": 1, \"image\""),
                    "s.json: images: unknown key, expected one of camera, field, image, mesh, transfer_function");
+  expectInputError(kMesh, edited(kScene, "{\"points\"", "{\"emission\": \"per_area\", \"points\""),
+                   "s.json: transfer_function.emission: found \"per_area\", expected one of \"per_extinction\", "
+                   "\"per_length\"");
   expectInputError(edited(kMesh, "0 1 0.5 0.25", "0 nan 0.5 0.25"), kScene,
                    "m.vtu: array 's': point 1: value is nan, expected a finite number");
   expectInputError(edited(kMesh, "0 0 0 1 0 0", "0 0 0 nan 0 0"), kScene,

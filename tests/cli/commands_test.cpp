@@ -160,6 +160,41 @@ TEST_F(Commands, HalfExrAndTargetsAreWritten) {
   run({"render", "m.vtu", "--size", "32x32", "-o", "h.exr", "--exr-type", "half", "--exr-compression", "piz",
        "--target", "rgba16f", "--quiet"});
   EXPECT_LE(compareImages(readExr(dir_ / "a.exr"), readExr(dir_ / "h.exr")).max, 0.02);
+  for (const char* target : {"rgba16f-chunked", "rgba8", "rgba8-dither"}) {
+    run({"render", "m.vtu", "--size", "32x32", "-o", "t.exr", "--target", target, "--chunk-cells", "200", "--quiet",
+         "--stats", "s.json"});
+    EXPECT_EQ(json::parse(readTextFile(dir_ / "s.json"))["target"], target);
+    EXPECT_EQ(readExrAttribute(dir_ / "t.exr", "tetralux.target"), target);
+    EXPECT_LE(compareImages(readExr(dir_ / "a.exr"), readExr(dir_ / "t.exr")).max, 0.2) << target;
+  }
+}
+
+TEST_F(Commands, AutoTargetSaysWhatItTook) {
+  run({"render", "m.vtu", "--size", "32x32", "-o", "t.exr", "--target", "auto", "--quiet", "--stats", "s.json"});
+  const json stats = json::parse(readTextFile(dir_ / "s.json"));
+  EXPECT_THAT(stats["target"].get<std::string>(), ::testing::AnyOf("rgba32f", "rgba16f"));
+  EXPECT_EQ(readExrAttribute(dir_ / "t.exr", "tetralux.target"), stats["target"].get<std::string>());
+  EXPECT_GT(stats["ms"]["measure"].get<double>(), 0.0);
+}
+
+TEST_F(Commands, OpacityScaleMultipliesExtinctions) {
+  const auto writeTransfer = [&](const char* name, const std::string& emission, double factor) {
+    json transfer = {{"emission", emission}, {"points", json::array()}};
+    for (const double s : {-1.0, 0.0, 1.0})
+      transfer["points"].push_back({{"s", s}, {"rgb", {0.2, s * s, 0.9}}, {"tau", factor * (1.5 + s)}});
+    dir_.write(name, transfer.dump());
+  };
+  for (const char* emission : {"per_extinction", "per_length"}) {
+    writeTransfer("one.json", emission, 1);
+    writeTransfer("three.json", emission, 3);
+    for (const char* command : {"render", "reference"}) {
+      run({command, "m.vtu", "--size", "24x24", "-o", "a.exr", "--tf", "one.json", "--opacity-scale", "3", "--quiet"});
+      run({command, "m.vtu", "--size", "24x24", "-o", "b.exr", "--tf", "three.json", "--quiet"});
+      run({command, "m.vtu", "--size", "24x24", "-o", "c.exr", "--tf", "one.json", "--quiet"});
+      EXPECT_EQ(compareImages(readExr(dir_ / "a.exr"), readExr(dir_ / "b.exr")).max, 0.0) << command;
+      EXPECT_GT(compareImages(readExr(dir_ / "a.exr"), readExr(dir_ / "c.exr")).max, 0.01) << command;
+    }
+  }
 }
 
 }  // namespace

@@ -71,6 +71,12 @@ TEST(Usage, BadValues) {
   expectUsageError({"render", "a.vtu", "--frames", "3", "-o", "a.exr"}, "expected a place for the frame's number");
   expectUsageError({"render", "a.vtu", "-o", "%s.exr"}, "-o: found '%s.exr'");
   expectUsageError({"render", "a.vtu", "--target", "rgba64f"}, "--target");
+  expectUsageError({"render", "a.vtu", "--chunk-cells", "0"}, "--chunk-cells");
+  for (const char* command : {"render", "reference", "bench"}) {
+    for (const char* value : {"0", "-1", "nan", "inf", "1e999", "x", ""})
+      expectUsageError({command, "a.json", "--opacity-scale", value},
+                       "--opacity-scale: found '" + std::string(value) + "', expected a finite number > 0");
+  }
   expectUsageError({"render", "a.vtu", "--exr-compression", "zap"}, "zap");
   expectUsageError({"reference", "a.json", "-o", "a.png"}, "expected a name that ends in .exr");
   expectUsageError({"mesh", "sphere", "-o", "a.vtu"}, "sphere");

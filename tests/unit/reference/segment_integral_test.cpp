@@ -136,6 +136,98 @@ TEST(IntegrateSegment, ConstantScalarIsTheHomogeneousFormula) {
   EXPECT_NEAR(optics.light.x, sample.luminance.x * alpha, 1e-15);
 }
 
+// X from Psi by integration by parts, (a - b) X = 1 - zeta - b Psi, where a and b are far apart.
+TEST(LengthMoments, AgreeWithClosedForms) {
+  for (const double front : {0.0, 0.1, 1.0, 3.0}) {
+    for (const double back : {0.0, 0.3, 1.0, 2.5, 6.0}) {
+      const LengthMoments moments = lengthMoments(front, back);
+      const double zeta = std::exp(-0.5 * (front + back));
+      if (std::abs(front - back) < 0.15) continue;
+      EXPECT_NEAR(moments.even, closedMoment(front, back) + zeta, 1e-13) << front << " " << back;
+      EXPECT_NEAR(moments.linear, (1.0 - zeta - front * moments.even) / (back - front), 1e-12) << front << " " << back;
+    }
+  }
+}
+
+TEST(LengthMoments, WithoutExtinctionAllLightArrives) {
+  EXPECT_NEAR(lengthMoments(0.0, 0.0).even, 1.0, 1e-15);
+  EXPECT_NEAR(lengthMoments(0.0, 0.0).linear, 0.5, 1e-15);
+  // Psi = 1 - b/3 - a/6, X = 1/2 - 5 b/24 - a/8 to first order (a back, b front).
+  for (const double m : {1e-3, 1e-6, 1e-9}) {
+    const LengthMoments thin = lengthMoments(0.5 * m, 2.0 * m);
+    EXPECT_NEAR(thin.even, 1.0 - 0.5 * m / 3 - 2.0 * m / 6, 2 * m * m + 1e-15);
+    EXPECT_NEAR(thin.linear, 0.5 - 5 * 0.5 * m / 24 - 2.0 * m / 8, 2 * m * m + 1e-15);
+  }
+}
+
+TEST(LengthMoments, OpaqueLimits) {
+  EXPECT_NEAR(lengthMoments(1e6, 1e6).even, 1e-6, 1e-18);
+  EXPECT_NEAR(lengthMoments(1e6, 1e6).linear, 1e-12, 1e-22);
+  EXPECT_NEAR(lengthMoments(0.0, 1e6).even, std::sqrt(std::acos(-1.0) / 2e6), 1e-12);
+  EXPECT_NEAR(lengthMoments(0.0, 1e6).linear, 1e-6, 1e-15);
+}
+
+const TransferFunction& glow() {
+  static const TransferFunction transfer(wavy().points(), "glow", Emission::PerLength);
+  return transfer;
+}
+
+TEST(IntegrateSegment, EmissionPerLengthOfAConstantScalarIsTheHomogeneousFormula) {
+  const TransferFunction transfer({{0, {2, 0.5, 0}, 0}, {1, {2, 0.5, 4}, 3}}, "t", Emission::PerLength);
+  for (const double s : {0.0, 1e-9, 0.25, 1.0}) {
+    for (const double length : {1e-6, 0.9, 30.0}) {
+      const SegmentOptics optics = integrateSegment(transfer, s, s, length);
+      const double tau = 3 * s;
+      const double reach = tau == 0.0 ? length : -std::expm1(-tau * length) / tau;
+      EXPECT_NEAR(optics.light.x / (2 * reach), 1.0, 1e-13) << s << " " << length;
+      EXPECT_NEAR(optics.light.z, 4 * s * reach, 1e-13 * length);
+      EXPECT_NEAR(optics.alpha, -std::expm1(-tau * length), 1e-15);
+    }
+  }
+}
+
+TEST(IntegrateSegment, EmissionPerLengthAgreesWithBruteForceAcrossControlPoints) {
+  for (const auto& [front, back] :
+       {std::pair(0.0, 1.0), std::pair(1.0, 0.0), std::pair(0.15, 0.65), std::pair(0.95, 0.33), std::pair(0.4, 0.55)}) {
+    const double length = 1.7;
+    const SegmentOptics exact = integrateSegment(glow(), front, back, length);
+    constexpr int kSteps = 400000;
+    glm::dvec3 light(0.0);
+    double depth = 0.0;
+    for (int i = 0; i < kSteps; i++) {
+      const OpticalSample sample = glow().at(front + (back - front) * (i + 0.5) / kSteps);
+      const double step = sample.extinction * length / kSteps;
+      light += std::exp(-(depth + 0.5 * step)) * sample.luminance * (length / kSteps);
+      depth += step;
+    }
+    for (int c = 0; c < 3; c++) EXPECT_NEAR(exact.light[c], light[c], 4e-6);
+    EXPECT_EQ(exact.alpha, integrateSegment(wavy(), front, back, length).alpha);
+  }
+}
+
+TEST(IntegrateSegment, EmissionPerLengthOfPartsCompositesToTheWhole) {
+  for (const double length : {1e-6, 0.3, 20.0}) {
+    const SegmentOptics whole = integrateSegment(glow(), 0.97, 0.02, length);
+    SegmentOptics sum;
+    constexpr int kParts = 137;
+    for (int i = 0; i < kParts; i++) {
+      const auto at = [&](int k) { return 0.97 + (0.02 - 0.97) * k / kParts; };
+      const SegmentOptics part = integrateSegment(glow(), at(i), at(i + 1), length / kParts);
+      sum.light += (1.0 - sum.alpha) * part.light;
+      sum.alpha += (1.0 - sum.alpha) * part.alpha;
+    }
+    for (int c = 0; c < 3; c++) EXPECT_NEAR(whole.light[c], sum.light[c], 1e-13 * std::max(1.0, length));
+  }
+}
+
+// Light that does not absorb shows through everything that does not either, and is added up.
+TEST(IntegrateSegment, EmissionPerLengthNeedsNoExtinction) {
+  const TransferFunction transfer({{0, {1, 2, 3}, 0}, {1, {3, 2, 1}, 0}}, "t", Emission::PerLength);
+  const SegmentOptics optics = integrateSegment(transfer, 0, 1, 5);
+  for (int c = 0; c < 3; c++) EXPECT_NEAR(optics.light[c], 10.0, 1e-13);
+  EXPECT_EQ(optics.alpha, 0.0);
+}
+
 TEST(IntegrateSegment, NoLengthIsNothing) {
   const SegmentOptics optics = integrateSegment(wavy(), 0.0, 1.0, 0.0);
   EXPECT_EQ(optics.alpha, 0.0);

@@ -93,6 +93,21 @@ TEST(TransferTables, SupportIsWhereThereIsExtinction) {
   EXPECT_TRUE(makeTransferTables(TransferFunction({{0, {}, 0}}, "t"), space(0, 1)).support.empty());
 }
 
+TEST(TransferTables, EmissionPerLengthShowsWithoutExtinction) {
+  const std::vector<ControlPoint> points = {{0, {}, 0},    {0.25, {}, 0},        {0.5, {0, 8, 0}, 0}, {0.5, {}, 0},
+                                            {0.75, {}, 0}, {0.75, {0, 0, 1}, 0}, {1, {0, 0, 1}, 0}};
+  EXPECT_TRUE(makeTransferTables(TransferFunction(points, "t"), space(0, 1)).support.empty());
+  const TransferTables tables =
+      makeTransferTables(TransferFunction(points, "t", Emission::PerLength), space(0, 1, 4.0));
+  ASSERT_EQ(tables.support.size(), 2u);
+  EXPECT_FLOAT_EQ(tables.support[0].x, -0.25f);
+  EXPECT_FLOAT_EQ(tables.support[0].y, 0.0f);
+  EXPECT_LT(tables.support[1].x, 0.25f) << "a scalar exactly on the step up emits";
+  EXPECT_GT(tables.support[1].y, 0.5f);
+  EXPECT_FLOAT_EQ(tables.pieces[2 * shared::TRANSFER_PIECE_TEXELS + 2].y, 32.0f / 0.25f) << "slope, per mesh unit";
+  EXPECT_NEAR(*std::max_element(tables.largestExtinction.begin(), tables.largestExtinction.end()), 32.0f, 1e-3f);
+}
+
 TEST(TransferTables, ControlPointsFarOutsideTheFieldStayFinite) {
   const TransferFunction transfer({{-1e300, {}, 1}, {1e300, {}, 2}}, "t");
   for (const glm::vec4& texel : makeTransferTables(transfer, space(0, 1e-12)).pieces) {

@@ -51,6 +51,12 @@ TEST(SceneFile, OrthographicHasAHeightInsteadOfAnAngle) {
   EXPECT_EQ(parse(whole).camera.heightWorld, 7.0);
 }
 
+TEST(SceneFile, TransferFunctionMayEmitPerLength) {
+  EXPECT_EQ(parse(kScene).transferFunction.emission(), Emission::PerExtinction);
+  const Scene scene = parse(edited("{\"points\"", "{\"emission\": \"per_length\", \"points\""));
+  EXPECT_EQ(scene.transferFunction.emission(), Emission::PerLength);
+}
+
 struct Defect {
   const char* from;
   const char* to;
@@ -86,6 +92,10 @@ TEST(SceneFile, EveryDefectIsNamedWithItsPlace) {
        "f.json: transfer_function.points[1].a: unknown key, expected one of rgb, s, tau"},
       {"\"s\": 1", "\"s\": -1",
        "f.json: transfer_function.points: point 1: s is -1, expected at least that of the point before, 0"},
+      {"{\"points\"", "{\"emission\": \"glow\", \"points\"",
+       "f.json: transfer_function.emission: found \"glow\", expected one of \"per_extinction\", \"per_length\""},
+      {"{\"points\"", "{\"emmission\": \"per_length\", \"points\"",
+       "f.json: transfer_function.emmission: unknown key, expected one of emission, points"},
       {"{\"points\": [", "{\"points\": [7, ", "f.json: transfer_function.points[0]: found 7, expected an object {...}"},
       {"\"fovy\": 30.5", "\"fovy\": 30.5, \"fovy\": 31", "f.json: key \"fovy\" occurs twice in one object"},
       {"30.5", "1e999", "f.json: holds a number beyond the range of double precision"},

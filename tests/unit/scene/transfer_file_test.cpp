@@ -35,7 +35,23 @@ TEST(TransferFile, IsReadByItselfOrFromAScene) {
             3.0);
   const std::string file = dir.write("c.json", "{" + points + ", \"x\": 1}").string();
   EXPECT_EQ(errorOf(ErrorCode::Input, [&] { readTransferFunction(file); }),
-            file + ": x: unknown key, expected one of points, transfer_function");
+            file + ": x: unknown key, expected one of emission, points, transfer_function");
+}
+
+TEST(TransferFile, EmissionIsPerExtinctionUnlessSaidOtherwise) {
+  const test::TempDir dir;
+  const auto read = [&](const std::string& emission) {
+    return readTransferFunction(
+        dir.write("t.json", "{" + emission + R"("points": [{"s": 1, "rgb": [0, 0, 1], "tau": 3}]})"));
+  };
+  EXPECT_EQ(read("").emission(), Emission::PerExtinction);
+  EXPECT_EQ(read("\"emission\": \"per_extinction\", ").emission(), Emission::PerExtinction);
+  EXPECT_EQ(read("\"emission\": \"per_length\", ").emission(), Emission::PerLength);
+  const std::string file = (dir / "t.json").string();
+  const std::string expected = ", expected one of \"per_extinction\", \"per_length\"";
+  EXPECT_EQ(errorOf(ErrorCode::Input, [&] { read("\"emission\": \"per_metre\", "); }),
+            file + ": emission: found \"per_metre\"" + expected);
+  EXPECT_EQ(errorOf(ErrorCode::Input, [&] { read("\"emission\": 1, "); }), file + ": emission: found 1" + expected);
 }
 
 }  // namespace

@@ -54,6 +54,15 @@ TEST(TransferFunction, ScalingChangesExtinctionOnly) {
   EXPECT_EQ(scaled.largestExtinction(), 3.0);
 }
 
+TEST(TransferFunction, EmissionIsKeptWhenExtinctionIsScaled) {
+  EXPECT_EQ(ramp().emission(), Emission::PerExtinction);
+  const TransferFunction glow(ramp().points(), "t", Emission::PerLength);
+  EXPECT_EQ(glow.scaled(2).emission(), Emission::PerLength);
+  EXPECT_EQ(glow.scaled(2).at(2.0).luminance, glow.at(2.0).luminance);
+  EXPECT_EQ(errorOf(ErrorCode::Input, [&] { ramp().scaled(1e308); }),
+            "scaled transfer function: point 0: tau is inf, expected a finite number >= 0");
+}
+
 TEST(TransferFunction, DefectsAreNamed) {
   const auto error = [](std::vector<ControlPoint> points) {
     return errorOf(ErrorCode::Input, [&] { TransferFunction(points, "f: points"); });
