@@ -18,7 +18,7 @@
 namespace tetralux::render {
 
 enum class Order {
-  Auto,     // the cheapest of radix, power and exact that is proved exact for the view
+  Auto,     // radix where the check proves it exact for the view, otherwise exact
   None,     // by cell index
   Bucket,   // by centroid distance in 256 buckets (Marroquim et al. 2008, section 4.2)
   Bitonic,  // by centroid distance, bitonic merge sort

@@ -1,6 +1,4 @@
 #include "mesh/circumcenters.h"
-#include "mesh/adjacency.h"
-#include "mesh/delaunay_check.h"
 
 #include <gtest/gtest.h>
 
@@ -132,15 +130,6 @@ TEST(Circumcenters, AreRelativeToTheVertexOfLowestIndexWhateverTheOrderInTheFile
   }
   for (CellVertices& cell : mesh.cells) std::reverse(cell.begin(), cell.end());
   EXPECT_EQ(circumcenters(mesh), centers) << "to the last bit";
-}
-
-TEST(LooksDelaunay, TellsDelaunayMeshesFromOthers) {
-  const auto looks = [](const TetMesh& mesh) { return looksDelaunay(mesh, makeAdjacency(mesh), 200); };
-  EXPECT_TRUE(looks(randomDelaunay(500, 1)));
-  EXPECT_TRUE(looks(test::tilted(randomDelaunay(500, 2))));
-  EXPECT_TRUE(looks(kuhnGrid(4, 4, 4, glm::dvec3(0), glm::dvec3(1), waveField))) << "cospherical neighbours";
-  EXPECT_FALSE(looks(flattenedDelaunay(500, 3, 0.1)));
-  EXPECT_FALSE(looks(twistedDelaunay(500, 4, 0.5)));
 }
 
 }  // namespace
