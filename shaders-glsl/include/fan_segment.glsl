@@ -2,6 +2,7 @@
 //
 // Before including: CELL_PLANES, TRANSFER_PIECES, TRANSFER_PIECE_BINS are binding numbers; shared/raster_push.h.
 layout(constant_id = SPEC_PERSPECTIVE) const bool kPerspective = true;
+layout(constant_id = SPEC_SILHOUETTE) const bool kSilhouette = false;  // all cells are clipped
 
 layout(binding = CELL_PLANES) uniform samplerBuffer cellPlanes;  // of clipped cells: FAN_VERTICES per slot
 
@@ -64,7 +65,7 @@ Segment clippedSegment(int slot, vec3 origin, vec3 direction) {
 //   screen   the ray's direction, x/z and y/z (perspective), or its position
 Segment fragmentSegment(vec2 screen) {
   Segment segment = fanSegment();
-  if ((fanCell & 1) != 0)
+  if (kSilhouette || (fanCell & 1) != 0)
     segment = kPerspective ? clippedSegment(fanCell >> 1, vec3(0.0), vec3(screen, 1.0))
                            : clippedSegment(fanCell >> 1, vec3(screen, 0.0), vec3(0.0, 0.0, 1.0));
   return segment;

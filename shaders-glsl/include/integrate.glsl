@@ -53,68 +53,100 @@ float lengthMoment(float a, float b) {
   return p0 + b * (p1 + b * (p2 + b * (p3 + b * (p4 + b * -4.6314453e-05))));
 }
 
+// A segment that is being walked.
+struct PartWalk {
+  float front;      // normalised scalars at its ends
+  float back;
+  float thickness;  // length along the ray, mesh units, >= 0
+  float rise;       // back - front
+  float sharePerScalar;
+  float share;      // how much of the segment has been walked, 0 to 1
+  int piece;        // of the transfer function
+  bool rising;
+};
+
+PartWalk beginParts(float front, float back, float thickness) {
+  PartWalk walk;
+  walk.front = front;
+  walk.back = back;
+  walk.thickness = thickness;
+  walk.rise = back - front;
+  walk.rising = back >= front;
+  walk.sharePerScalar = walk.rise == 0.0 ? 0.0 : 1.0 / walk.rise;
+  walk.share = 0.0;
+  const int bin = clamp(int((front + 0.5) * float(TRANSFER_BINS)), 0, int(TRANSFER_BINS) - 1);
+  walk.piece = int(texelFetch(transferPieceBins, 2 * bin + (walk.rising ? 0 : 1)).x);
+  return walk;
+}
+
+// Composites the next part behind light and opacity. Returns whether it was the last one.
+//   clearness   with emission per length: the transmittance so far, 1 at first
+bool walkPart(inout PartWalk walk, inout vec3 light, inout float opacity, inout float clearness) {
+  const vec4 range = texelFetch(transferPieces, 3 * walk.piece);
+  const vec4 luminanceLow = texelFetch(transferPieces, 3 * walk.piece + 1);
+  const vec3 luminanceSlope = texelFetch(transferPieces, 3 * walk.piece + 2).xyz;
+
+  // The part of the segment inside the piece; empty where the walk has not reached the piece yet.
+  const bool isLast =
+      walk.rising ? (walk.rise > 0.0 ? range.y >= walk.back : range.y > walk.back) : range.x <= walk.back;
+  const float scalarExit = walk.rising ? range.y : range.x;
+  const float shareExit = isLast ? 1.0 : clamp((scalarExit - walk.front) * walk.sharePerScalar, walk.share, 1.0);
+
+  const float s0 = clamp(walk.front + walk.share * walk.rise, range.x, range.y) - range.x;
+  const float s1 = clamp(walk.front + shareExit * walk.rise, range.x, range.y) - range.x;
+  const float extinction0 = range.z + range.w * s0;
+  float extinction1 = range.z + range.w * s1;
+  float part = (shareExit - walk.share) * walk.thickness;
+
+  // Cut where the optical depth would become too large for the polynomial: the share k of the part at which
+  // e0 k + (e1 - e0) k^2/2, with e = extinction times length, reaches the limit.
+  const float e0 = extinction0 * part;
+  const float root = sqrt(max(0.0, e0 * e0 + 2.0 * kLargestPartDepth * (extinction1 * part - e0)));
+  const float keep = min(1.0, 2.0 * kLargestPartDepth / max(e0 + root, 1e-30));
+  const bool isCut = keep < 1.0;
+  part *= keep;
+  const float s2 = mix(s0, s1, keep);
+  extinction1 = mix(extinction0, extinction1, keep);
+
+  const float depthFront = extinction0 * part;
+  const float depthBack = extinction1 * part;
+  const float depth = 0.5 * (depthFront + depthBack);
+  const float partOpacity = depth * relativeOpacity(depth);
+  const vec3 luminanceFront = luminanceLow.xyz + luminanceSlope * s0;
+  const vec3 luminanceChange = luminanceSlope * (s2 - s0);
+  const float transmittance = 1.0 - opacity;
+  if (kEmissionPerLength) {
+    const float psi = emissionMoment(depthBack, depthFront) + (1.0 - partOpacity);
+    light += clearness * part * (luminanceFront * psi + luminanceChange * lengthMoment(depthBack, depthFront));
+    clearness *= 1.0 - partOpacity;
+  } else {
+    light += transmittance * (luminanceFront * partOpacity + luminanceChange * emissionMoment(depthBack, depthFront));
+  }
+  opacity += transmittance * partOpacity;
+
+  walk.share = isCut ? mix(walk.share, shareExit, keep) : shareExit;
+  walk.piece = isCut ? walk.piece : (walk.rising ? walk.piece + 1 : walk.piece - 1);
+  return isLast && !isCut;
+}
+
+// Whether what lies behind adds nothing any more.
+bool isWalkOpaque(float opacity, float clearness) {
+  return kEmissionPerLength ? clearness <= kLeastTransmittance : opacity >= kOpaque;
+}
+
 // Premultiplied light and opacity of a segment.
 //   front, back   normalised scalars at its ends
 //   thickness     length along the ray, mesh units, >= 0
 vec4 integrateSegment(float front, float back, float thickness) {
-  const bool rising = back >= front;
-  const float rise = back - front;
-  const float sharePerScalar = rise == 0.0 ? 0.0 : 1.0 / rise;
-  const int bin = clamp(int((front + 0.5) * float(TRANSFER_BINS)), 0, int(TRANSFER_BINS) - 1);
-  int piece = int(texelFetch(transferPieceBins, 2 * bin + (rising ? 0 : 1)).x);
-
+  PartWalk walk = beginParts(front, back, thickness);
   vec3 light = vec3(0.0);
   float opacity = 0.0;
-  float clearness = 1.0;  // with emission per length: transmittance so far
-  float share = 0.0;  // how much of the segment has been walked, 0 to 1
+  float clearness = 1.0;
   // Left from two places on purpose. In Mesa 22.3's software device a loop that is left at its head costs a round more, and
   // in one that is left only at its end, lanes that have finished come out with wrong values.
   for (int round = 0; round < kMostParts; round++) {
-    const vec4 range = texelFetch(transferPieces, 3 * piece);
-    const vec4 luminanceLow = texelFetch(transferPieces, 3 * piece + 1);
-    const vec3 luminanceSlope = texelFetch(transferPieces, 3 * piece + 2).xyz;
-
-    // The part of the segment inside the piece; empty where the walk has not reached the piece yet.
-    const bool isLast = rising ? (rise > 0.0 ? range.y >= back : range.y > back) : range.x <= back;
-    const float scalarExit = rising ? range.y : range.x;
-    const float shareExit = isLast ? 1.0 : clamp((scalarExit - front) * sharePerScalar, share, 1.0);
-
-    const float s0 = clamp(front + share * rise, range.x, range.y) - range.x;
-    const float s1 = clamp(front + shareExit * rise, range.x, range.y) - range.x;
-    const float extinction0 = range.z + range.w * s0;
-    float extinction1 = range.z + range.w * s1;
-    float part = (shareExit - share) * thickness;
-
-    // Cut where the optical depth would become too large for the polynomial: the share k of the part at which
-    // e0 k + (e1 - e0) k^2/2, with e = extinction times length, reaches the limit.
-    const float e0 = extinction0 * part;
-    const float root = sqrt(max(0.0, e0 * e0 + 2.0 * kLargestPartDepth * (extinction1 * part - e0)));
-    const float keep = min(1.0, 2.0 * kLargestPartDepth / max(e0 + root, 1e-30));
-    const bool isCut = keep < 1.0;
-    part *= keep;
-    const float s2 = mix(s0, s1, keep);
-    extinction1 = mix(extinction0, extinction1, keep);
-
-    const float depthFront = extinction0 * part;
-    const float depthBack = extinction1 * part;
-    const float depth = 0.5 * (depthFront + depthBack);
-    const float partOpacity = depth * relativeOpacity(depth);
-    const vec3 luminanceFront = luminanceLow.xyz + luminanceSlope * s0;
-    const vec3 luminanceChange = luminanceSlope * (s2 - s0);
-    const float transmittance = 1.0 - opacity;
-    if (kEmissionPerLength) {
-      const float psi = emissionMoment(depthBack, depthFront) + (1.0 - partOpacity);
-      light += clearness * part * (luminanceFront * psi + luminanceChange * lengthMoment(depthBack, depthFront));
-      clearness *= 1.0 - partOpacity;
-    } else {
-      light += transmittance * (luminanceFront * partOpacity + luminanceChange * emissionMoment(depthBack, depthFront));
-    }
-    opacity += transmittance * partOpacity;
-
-    share = isCut ? mix(share, shareExit, keep) : shareExit;
-    piece = isCut ? piece : (rising ? piece + 1 : piece - 1);
-    const bool isOpaque = kEmissionPerLength ? clearness <= kLeastTransmittance : opacity >= kOpaque;
-    if ((isLast && !isCut) || isOpaque) break;
+    const bool isLast = walkPart(walk, light, opacity, clearness);
+    if (isLast || isWalkOpaque(opacity, clearness)) break;
   }
   return vec4(light, opacity);
 }

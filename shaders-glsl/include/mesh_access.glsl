@@ -25,15 +25,26 @@ struct Cell {
   vec4 scalar;       // at the four vertices, normalised to the field's range: -0.5 to 0.5
 };
 
+uvec4 loadCellVertices(MeshAddresses mesh, uint cell) {
+  return kWideAddressing ? mesh.cells.data[cell] : texelFetch(meshCells, int(cell));
+}
+
+vec4 loadVertex(MeshAddresses mesh, uint vertex) {
+  return kWideAddressing ? mesh.vertices.data[vertex] : texelFetch(meshVertices, int(vertex));
+}
+
+float loadCellScalar(MeshAddresses mesh, uint cell) {
+  return kWideAddressing ? mesh.cellScalars.data[cell] : texelFetch(meshCellScalars, int(cell)).x;
+}
+
 Cell loadCell(MeshAddresses mesh, uint cell) {
   Cell result;
-  const uvec4 index = kWideAddressing ? mesh.cells.data[cell] : texelFetch(meshCells, int(cell));
+  const uvec4 index = loadCellVertices(mesh, cell);
   for (int i = 0; i < 4; i++) {
-    const vec4 vertex = kWideAddressing ? mesh.vertices.data[index[i]] : texelFetch(meshVertices, int(index[i]));
+    const vec4 vertex = loadVertex(mesh, index[i]);
     result.position[i] = vertex.xyz;
     result.scalar[i] = vertex.w;
   }
-  if (kCellField)
-    result.scalar = vec4(kWideAddressing ? mesh.cellScalars.data[cell] : texelFetch(meshCellScalars, int(cell)).x);
+  if (kCellField) result.scalar = vec4(loadCellScalar(mesh, cell));
   return result;
 }

@@ -6,8 +6,11 @@
 #include "shared/batch_arguments.h"
 #include "shared/counters.h"
 #include "shared/limits.h"
+#include "shared/spec_ids.h"
 
 layout(local_size_x = 1) in;
+
+layout(constant_id = SPEC_SILHOUETTE) const bool kSilhouette = false;
 
 layout(binding = 0, scalar) readonly buffer Kept { uint kept; };
 layout(binding = 1, scalar) buffer Counters { FrameCounters counters; };
@@ -23,7 +26,7 @@ void main() {
   arguments.groupsX = (count + PROJECT_WORKGROUP - 1u) / PROJECT_WORKGROUP;
   arguments.groupsY = 1u;
   arguments.groupsZ = 1u;
-  arguments.indexCount = count * FAN_INDICES;
+  arguments.indexCount = count * (kSilhouette ? OUTLINE_INDICES : FAN_INDICES);
   arguments.instanceCount = count > 0u ? 1u : 0u;
   arguments.firstIndex = 0u;
   arguments.vertexOffset = 0u;

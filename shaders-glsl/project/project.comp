@@ -59,6 +59,8 @@ layout(push_constant, scalar) uniform Push {
   uint isCounted;  // 0: the batch was projected before in this frame
 };
 
+layout(constant_id = SPEC_SILHOUETTE) const bool kSilhouette = false;
+
 struct Fan {
   vec2 position[FAN_VERTICES];  // 0: centre, 1 to 4: ring; units of x/z or x
   vec4 ends[FAN_VERTICES];
@@ -192,6 +194,35 @@ Fan clippedCell(Cell cell, vec3 position[4], bool isNear) {
   return fan;
 }
 
+// Pixels by which outlines are larger than projections: then the rasteriser, which snaps vertices to 1/256 pixel, cannot cut
+// anything off. Beside the cell the clipped segment is empty.
+const float kOutlineMargin = 1.0 / 64.0;
+
+// A cell that is drawn as its outline, the fan's ring, and clipped (balanced projection: Moreland and Angel 2004; view-independent
+// projection: Weiler, Kraus, Merz and Ertl 2003). Enlarged about its middle; what is too thin for that, and what is near, is drawn as
+// a rectangle.
+Fan outlinedCell(Cell cell, vec3 position[4], Fan fan, bool isNear) {
+  Fan outline = clippedCell(cell, position, isNear);
+  const bool isQuad = fan.position[4] != fan.position[1];
+  const vec2 middle = isQuad ? 0.25 * (fan.position[1] + fan.position[2] + fan.position[3] + fan.position[4])
+                             : (fan.position[1] + fan.position[2] + fan.position[3]) / 3.0;
+  float height = 1e30;  // of the middle above the outline's edges
+  for (int i = 1; i <= 4; i++) {
+    const vec2 edge = fan.position[i % 4 + 1] - fan.position[i];
+    const float length2 = dot(edge, edge);
+    if (length2 > 0.0) height = min(height, abs(cross2(edge, middle - fan.position[i])) * inversesqrt(length2));
+  }
+  const float margin = kOutlineMargin / view.pixelsPerUnit;
+  if (!isNear && fan.triangles > 0u && height < 1e30 && height > margin) {
+    for (int i = 0; i < FAN_VERTICES; i++)
+      outline.position[i] = middle + (fan.position[i] - middle) * (1.0 + margin / height);
+    outline.triangles = isQuad ? 2u : 1u;
+  } else {
+    outline.triangles = 2u;
+  }
+  return outline;
+}
+
 void main() {
   const uint slot = linearIndex();
   const uint globalSlot = firstSlot + slot;
@@ -203,7 +234,10 @@ void main() {
 
   const bool isNear = isNearCell(vec4(position[0].z, position[1].z, position[2].z, position[3].z));
   Fan fan = projectCell(cell, position);
-  if (isNear || fan.isClipped) fan = clippedCell(cell, position, isNear);
+  if (kSilhouette)
+    fan = outlinedCell(cell, position, fan, isNear);
+  else if (isNear || fan.isClipped)
+    fan = clippedCell(cell, position, isNear);
 
   const vec2 ndcPerUnit = view.pixelsPerUnit / view.halfSize;
   for (uint i = 0; i < FAN_VERTICES; i++) {

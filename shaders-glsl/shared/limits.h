@@ -15,6 +15,8 @@ SHARED_CONST uint KEY_OUTSIDE = 0xffffffffu;
 // A projected cell is a fan of four triangles round a centre: one centre and four ring vertices.
 SHARED_CONST uint FAN_VERTICES = 5;
 SHARED_CONST uint FAN_INDICES = 12;
+// As an outline, it is the ring alone: two triangles.
+SHARED_CONST uint OUTLINE_INDICES = 6;
 
 // Cells projected and drawn at a time. 2^18 cells are 31 MiB of vertices and 12 MiB of indices: large enough that the
 // cost of a render pass (loading and storing the attachment) does not show, small enough to matter little beside the

@@ -10,6 +10,7 @@
 #define SPEC_RELATIONS 5        // bool: cells are also related across gaps (order/relate.comp)
 #define SPEC_RELATE_CHECK 6     // bool: relations are counted, not added
 #define SPEC_KBUFFER 7          // uint: size of the k-buffer; 0: fragments are sorted
+#define SPEC_SILHOUETTE 8       // bool: cells are drawn as outlines, rays are clipped per fragment; else as fans
 #define SPEC_EMISSION_PER_LENGTH 20  // bool: light per unit of length, else per unit of extinction
 #define SPEC_OUTPUT 21               // uint: what is handed to the blending (shared/target_output.h)
 

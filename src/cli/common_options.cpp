@@ -41,6 +41,8 @@ void DeviceOptions::add(CLI::App& app) {
       ->check(CLI::Range(1u, shared::BATCH_CELLS));
   app.add_option("--k", kBuffer, "Segments that --order kbuffer holds back at every pixel (default: 6)")
       ->check(CLI::Range(0u, shared::KBUFFER_LARGEST));
+  app.add_option("--projection", projection, "How cells become light in pixels (default: pt)")
+      ->check(CLI::IsMember(render::projectionNames()));
   app.add_option("--order", order, "Order in which cells are drawn (default: auto)")
       ->check(CLI::IsMember(render::orderNames()));
   app.add_option("--force-path", forcePath, "For tests: take a code path that this device would not choose")
@@ -50,6 +52,7 @@ void DeviceOptions::add(CLI::App& app) {
 
 render::RendererOptions DeviceOptions::rendererOptions() const {
   render::RendererOptions options;
+  options.projection = render::parseProjection(projection);
   options.order = render::parseOrder(order);
   options.kBuffer = kBuffer;
   options.forceWideAddressing = forcePath == "wide-addressing";

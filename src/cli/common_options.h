@@ -29,6 +29,7 @@ struct DeviceOptions {
   std::string target = "rgba32f";
   std::uint32_t chunkCells = 0;
   std::string forcePath;
+  std::string projection = "pt";
   std::string order = "auto";
   std::uint32_t kBuffer = 6;
 

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/error.h"
 #include "cli/commands.h"
 #include "cli/load_scene.h"
 #include "cli/order_table.h"
@@ -29,6 +30,8 @@ class InfoCommand : public Command {
   int run() override {
     // Without a view there need not be a field to draw.
     LoadedScene loaded;
+    if (orders_ && deviceOptions_.projection == "march")
+      fail(ErrorCode::Usage, "--orders: found '--projection march', expected pt or silhouette: rays need no order");
     if (orders_)
       loaded = loadScene(input_, sceneOptions_);
     else

@@ -84,7 +84,7 @@ class RenderCommand : public Command {
             {"tetralux.device", device.name},
             {"tetralux.driver", device.driver},
             {"tetralux.integration", "exact"},
-            {"tetralux.projection", "pt"},
+            {"tetralux.projection", render::projectionName(stats.projection)},
             {"tetralux.order", render::orderName(stats.order.order)},
             {"tetralux.target", render::targetName(stats.target)}};
   }

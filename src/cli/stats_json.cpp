@@ -76,7 +76,7 @@ nlohmann::ordered_json statsJson(const LoadedScene& loaded, const gpu::DeviceInf
   json["height"] = loaded.scene.size.height;
   json["integration"] = "exact";
   json["interpolation"] = "perspective";
-  json["projection"] = "pt";
+  json["projection"] = render::projectionName(renderer.projection());
   json["order"] = render::orderName(last.order.order);
   json["target"] = render::targetName(last.target);
   json["frames"] = run.frames.size();
@@ -100,6 +100,8 @@ nlohmann::ordered_json statsJson(const LoadedScene& loaded, const gpu::DeviceInf
                 {"apart", rounded(medianPassMs(run.frames, "apart"))},
                 {"combine", rounded(medianPassMs(run.frames, "combine"))},
                 {"measure", rounded(medianPassMs(run.frames, "measure"))},
+                {"enter", rounded(medianPassMs(run.frames, "enter"))},
+                {"march", rounded(medianPassMs(run.frames, "march"))},
                 {"readback", rounded(medianReadbackMs(run.frames))}};
   json["bytes"] = {{"mesh", memory.meshBytes},
                    {"frame", memory.frameBytes},

@@ -49,13 +49,14 @@ void ApartPass::recordBlend(gpu::CommandBuffer& commands, const FrameVariant& va
 }
 
 const gpu::GraphicsPipeline& ApartPass::storePipeline(const FrameVariant& variant, std::uint32_t kBuffer) {
-  const StoreKey key{variant.perspective, variant.emissionPerLength, kBuffer};
+  const StoreKey key{variant.perspective, variant.emissionPerLength, variant.silhouette, kBuffer};
   const auto found = store_.find(key);
   if (found != store_.end()) return found->second;
   gpu::GraphicsState state;
   state.streams = {{VK_FORMAT_R32G32_SFLOAT, 8}, {VK_FORMAT_R32G32B32A32_SFLOAT, 16}};
   const gpu::SpecConstants constants = {{SPEC_PERSPECTIVE, variant.perspective},
                                         {SPEC_EMISSION_PER_LENGTH, variant.emissionPerLength},
+                                        {SPEC_SILHOUETTE, variant.silhouette},
                                         {SPEC_KBUFFER, kBuffer}};
   return store_.emplace(key, gpu::GraphicsPipeline(context_, fanVertex_, storeFragment_, state, constants))
       .first->second;

@@ -40,6 +40,7 @@ class ApartPass {
   struct StoreKey {
     bool perspective;
     bool emissionPerLength;
+    bool silhouette;
     std::uint32_t kBuffer;
     auto operator<=>(const StoreKey&) const = default;
   };

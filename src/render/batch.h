@@ -12,11 +12,12 @@ struct BatchStorage {
   gpu::Buffer positions;  // vec2 ndc, FAN_VERTICES per cell
   gpu::Buffer ends;       // vec4, FAN_VERTICES per cell
   gpu::Buffer modes;      // uint per cell
-  gpu::Buffer indices;    // FAN_INDICES per cell: the same fan pattern for every cell, written once
+  gpu::Buffer indices;    // the same pattern of triangles for every cell, written once
   gpu::TexelView endsView;
   gpu::TexelView modesView;
 
-  BatchStorage(const gpu::Context& context, std::uint32_t cellCount);
+  //   outlines   the pattern is the ring (OUTLINE_INDICES), otherwise the fan (FAN_INDICES)
+  BatchStorage(const gpu::Context& context, std::uint32_t cellCount, bool outlines = false);
   std::uint64_t sizeBytes() const;
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "shared/march.h"
+
 namespace tetralux::render {
 namespace {
 
@@ -102,11 +104,27 @@ void drawApart(Frame& frame, const CellSequence& sequence, SlotSpan slots) {
   }
 }
 
+// Runs the recorder with work that counts the rays it does not finish, again and again until there are none.
+template <typename Record>
+void untilThrough(gpu::Recorder& recorder, const FrameInputs& inputs, const MarchStorage& storage, const char* pass,
+                  const Record& record) {
+  // A ray meets a cell once, so this many times are enough; rounding may not make it go in circles for ever.
+  const std::uint32_t most = 16 + 4 * (inputs.mesh.cellCount() / shared::MARCH_ROUNDS);
+  for (std::uint32_t i = 0; i < most; i++) {
+    gpu::CommandBuffer& commands = recorder.pass(pass);
+    commands.fill(storage.unfinished(), 0);
+    commands.barrier(kTransferWrite, kComputeReadWrite);
+    record(commands);
+    recorder.sync();
+    if (gpu::downloadVector<std::uint32_t>(inputs.context, storage.unfinished(), 1)[0] == 0) break;
+  }
+}
+
 }  // namespace
 
-FrameStorage::FrameStorage(const gpu::Context& context, std::uint32_t cellCount, SortVariant sortVariant)
+FrameStorage::FrameStorage(const gpu::Context& context, std::uint32_t cellCount, SortVariant sortVariant, bool outlines)
     : sort(context, cellCount, sortVariant),
-      batches(context, cellCount),
+      batches(context, cellCount, outlines),
       view(context, sizeof(shared::FrameView), gpu::MemoryKind::Device, "frame view"),
       counters(context, sizeof(shared::FrameCounters), gpu::MemoryKind::Device, "frame counters"),
       shortPixels(context, sizeof(std::uint32_t), gpu::MemoryKind::Device, "short pixels") {}
@@ -151,6 +169,41 @@ OrderReport drawFrame(gpu::Recorder& recorder, const FrameInputs& inputs, FrameP
   if (sequence.kBuffer > 0)
     sequence.report.shortPixels = gpu::downloadVector<std::uint32_t>(inputs.context, storage.shortPixels, 1)[0];
   return sequence.report;
+}
+
+void marchFrame(gpu::Recorder& recorder, const FrameInputs& inputs, MarchPass& pass, MarchStorage& storage,
+                const gpu::AttachmentImage& target) {
+  storage.prepare(inputs.size);
+  PixelLists& lists = storage.lists();
+  for (std::uint32_t row = 0; row < inputs.size.height;) {
+    const shared::PixelBand band = lists.bandFrom(row);
+
+    // enter: the faces through which each ray comes in, and the cell in which it starts
+    {
+      gpu::CommandBuffer& commands = recorder.pass("enter");
+      lists.recordClearCounts(commands);
+      lists.recordClearLists(commands);
+      commands.barrier(kTransferWrite, kFragmentReadWrite);
+      pass.recordEnter(commands, inputs.variant, inputs.mesh, storage, band);
+    }
+    if (inputs.variant.nearCells)
+      untilThrough(recorder, inputs, storage, "enter", [&](gpu::CommandBuffer& commands) {
+        pass.recordSeek(commands, inputs.variant, inputs.mesh, storage, band);
+      });
+
+    // march: from there through the cells
+    untilThrough(recorder, inputs, storage, "march", [&](gpu::CommandBuffer& commands) {
+      pass.recordMarch(commands, inputs.variant, inputs.mesh, inputs.transfer, storage, band);
+    });
+    if (lists.grow()) continue;
+
+    gpu::CommandBuffer& commands = recorder.pass("march");
+    if (row == 0) commands.prepareAttachment(target);
+    pass.recordShow(commands, storage, band, target, /*clear=*/row == 0);
+    commands.barrier(kVertexRead | kFragmentReadWrite | kColorWrite, kTransferWrite | kComputeReadWrite | kColorWrite);
+    row += band.rowCount;
+  }
+  recorder.sync();
 }
 
 }  // namespace tetralux::render

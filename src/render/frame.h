@@ -10,6 +10,7 @@
 #include "render/cull_pass.h"
 #include "render/frame_view.h"
 #include "render/gpu_mesh.h"
+#include "render/march_pass.h"
 #include "render/order/cell_order.h"
 #include "render/project_pass.h"
 #include "render/raster_pass.h"
@@ -29,7 +30,8 @@ struct FrameStorage {
   gpu::Buffer shortPixels;            // one uint
   std::unique_ptr<PixelLists> lists;  // made when cells are composited apart
 
-  FrameStorage(const gpu::Context& context, std::uint32_t cellCount, SortVariant sortVariant);
+  //   outlines   as BatchStorage
+  FrameStorage(const gpu::Context& context, std::uint32_t cellCount, SortVariant sortVariant, bool outlines = false);
   std::uint64_t sizeBytes() const;
 };
 
@@ -58,5 +60,9 @@ struct FrameInputs {
 // Draws a frame into `target`, whose old content is forgotten, and waits for it. Returns how right the order was.
 OrderReport drawFrame(gpu::Recorder& recorder, const FrameInputs& inputs, FramePasses& passes, CellOrder& order,
                       FrameStorage& storage, const FrameTarget& target);
+
+// The same by rays that walk from cell to cell: no cell is projected and none is sorted.
+void marchFrame(gpu::Recorder& recorder, const FrameInputs& inputs, MarchPass& pass, MarchStorage& storage,
+                const gpu::AttachmentImage& target);
 
 }  // namespace tetralux::render

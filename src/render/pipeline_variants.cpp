@@ -9,7 +9,8 @@ gpu::SpecConstants FrameVariant::specConstants() const {
   return {{SPEC_WIDE_ADDRESSING, wideAddressing},
           {SPEC_PERSPECTIVE, perspective},
           {SPEC_CELL_FIELD, cellField},
-          {SPEC_NEAR_CELLS, nearCells}};
+          {SPEC_NEAR_CELLS, nearCells},
+          {SPEC_SILHOUETTE, silhouette}};
 }
 
 ComputeVariants::ComputeVariants(const gpu::Context& context, const std::string& shader)

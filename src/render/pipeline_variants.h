@@ -17,6 +17,7 @@ struct FrameVariant {
   bool cellField = false;
   bool nearCells = false;
   bool wideAddressing = false;
+  bool silhouette = false;
   bool emissionPerLength = false;
   std::uint32_t output = 0;  // shared/target_output.h
 

@@ -1,6 +1,7 @@
 #include "render/project_pass.h"
 
 #include "render/truth_table.h"
+#include "shared/spec_ids.h"
 
 namespace tetralux::render {
 namespace {
@@ -31,7 +32,8 @@ void ProjectPass::recordBatch(gpu::CommandBuffer& commands, const FrameVariant& 
                               SlotSpan slots, const gpu::Buffer& counters, const BatchStorage& batches,
                               bool isCounted) {
   using namespace gpu::access;
-  commands.dispatch(arguments_.get({}), {*sequence.kept, counters, batches.arguments}, slots, 1);
+  commands.dispatch(arguments_.get({{SPEC_SILHOUETTE, variant.silhouette}}),
+                    {*sequence.kept, counters, batches.arguments}, slots, 1);
   commands.barrier(kComputeWrite, kIndirectRead | kComputeReadWrite);
   const ProjectPush push{mesh.addresses(), sequence.order->address(), slots.first, slots.end, isCounted};
   commands.dispatchIndirect(

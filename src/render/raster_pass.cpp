@@ -22,7 +22,7 @@ void RasterPass::recordBatch(gpu::CommandBuffer& commands, const FrameVariant& v
 }
 
 const gpu::GraphicsPipeline& RasterPass::pipeline(const FrameVariant& variant, VkFormat format) {
-  const Key key{variant.perspective, variant.emissionPerLength, variant.output, format};
+  const Key key{variant.perspective, variant.emissionPerLength, variant.silhouette, variant.output, format};
   const auto found = pipelines_.find(key);
   if (found != pipelines_.end()) return found->second;
   gpu::GraphicsState state;
@@ -30,6 +30,7 @@ const gpu::GraphicsPipeline& RasterPass::pipeline(const FrameVariant& variant, V
   state.colorFormat = format;
   const gpu::SpecConstants constants = {{SPEC_PERSPECTIVE, variant.perspective},
                                         {SPEC_EMISSION_PER_LENGTH, variant.emissionPerLength},
+                                        {SPEC_SILHOUETTE, variant.silhouette},
                                         {SPEC_OUTPUT, variant.output}};
   return pipelines_.emplace(key, gpu::GraphicsPipeline(context_, vertex_, fragment_, state, constants)).first->second;
 }

@@ -27,6 +27,7 @@ class RasterPass {
   struct Key {
     bool perspective;
     bool emissionPerLength;
+    bool silhouette;
     std::uint32_t output;
     VkFormat format;
     auto operator<=>(const Key&) const = default;

@@ -5,6 +5,7 @@
 #include "base/check.h"
 #include "base/parallel.h"
 #include "mesh/adjacency.h"
+#include "mesh/cut_folds.h"
 #include "mesh/overlaps.h"
 #include "render/order/make_order.h"
 #include "render/rounding_probe.h"
@@ -34,9 +35,18 @@ Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const Scala
       mesh_(context, mesh, field),
       wideAddressing_(options.forceWideAddressing || needsWideAddressing(context.info(), mesh_)),
       checkOrder_(options.checkOrder),
-      passes_(context),
-      storage_(context, mesh_.cellCount(), sortVariant(context, options)),
+      projection_(options.projection),
       target_(context) {
+  if (projection_ == CellProjection::March) {
+    marchPass_ = std::make_unique<MarchPass>(context);
+    Adjacency adjacency = makeAdjacency(mesh);
+    cutFolds(mesh, adjacency);
+    marchStorage_ = std::make_unique<MarchStorage>(context, adjacency);
+    return;
+  }
+  passes_ = std::make_unique<FramePasses>(context);
+  storage_ = std::make_unique<FrameStorage>(context, mesh_.cellCount(), sortVariant(context, options),
+                                            projection_ == CellProjection::Silhouette);
   std::optional<Adjacency> adjacency;
   if (options.checkOrder || needsVisibility(options.order)) {
     adjacency = makeAdjacency(mesh);
@@ -55,21 +65,28 @@ OrderReport Renderer::drawInto(gpu::Recorder& recorder, const Camera& camera, Im
                                const FrameTarget& target, bool checkOrder) {
   const FrameSetup setup =
       makeFrameSetup(camera, size, mesh_.space(), mesh_.cellCount(), transfer_->supportCount(), kCentroidKeyBits);
-  gpu::upload(context_, storage_.view, &setup.view, sizeof setup.view);
+  gpu::upload(context_, marchPass_ ? marchStorage_->view() : storage_->view, &setup.view, sizeof setup.view);
 
   FrameVariant variant;
   variant.perspective = setup.perspective;
   variant.cellField = mesh_.isCellField();
   variant.nearCells = setup.nearCells;
   variant.wideAddressing = wideAddressing_;
+  variant.silhouette = projection_ == CellProjection::Silhouette;
   variant.emissionPerLength = transfer_->emission() == Emission::PerLength;
   variant.output = output;
-  return drawFrame(recorder, {context_, mesh_, *transfer_, setup, variant, size, checkOrder}, passes_, *order_,
-                   storage_, target);
+  const FrameInputs inputs{context_, mesh_, *transfer_, setup, variant, size, checkOrder};
+  if (!marchPass_) return drawFrame(recorder, inputs, *passes_, *order_, *storage_, target);
+  marchFrame(recorder, inputs, *marchPass_, *marchStorage_, target.picture);
+  OrderReport report;
+  report.order = Order::Exact;
+  return report;
 }
 
 Target Renderer::chooseTarget(const Camera& camera, ImageSize size, gpu::PassTiming timing, FrameStats& stats) {
   if (choice_ && choice_->camera == camera && choice_->size == size) return choice_->target;
+  // Nothing is blended: rays gather light in registers, and a pixel is rounded once.
+  if (marchPass_) return halfFloatHolds(1.0, /*roundsToNearest=*/true) ? Target::Rgba16f : Target::Rgba32f;
   if (!roundsToNearest_) roundsToNearest_ = halfBlendingRoundsToNearest(context_);
   const auto part = [](std::uint32_t side) { return (side + kMeasureStep - 1) / kMeasureStep; };
   const ImageSize smaller{part(size.width), part(size.height)};
@@ -90,6 +107,7 @@ FrameStats Renderer::draw(const Camera& camera, ImageSize size, const RenderOpti
   CHECK(transfer_ != nullptr);
   const gpu::PassTiming timing = options.timed ? gpu::bestTiming(context_.info()) : gpu::PassTiming::Off;
   FrameStats stats;
+  stats.projection = projection_;
   stats.target = options.target == Target::Auto ? chooseTarget(camera, size, timing, stats) : options.target;
   target_.prepare(size, stats.target);
   const FrameTarget target{target_.picture(), target_.chunk(), chunkCellCount(options.chunkCells, mesh_.cellCount())};
@@ -97,8 +115,8 @@ FrameStats Renderer::draw(const Camera& camera, ImageSize size, const RenderOpti
   gpu::Recorder recorder(context_, timing);
   stats.order = drawInto(recorder, camera, size, output, target, checkOrder_);
 
-  shared::FrameCounters counters;
-  gpu::download(context_, storage_.counters, &counters, sizeof counters);
+  shared::FrameCounters counters{};
+  if (storage_) gpu::download(context_, storage_->counters, &counters, sizeof counters);
   stats.drawnCells = counters.drawn;
   stats.triangles = counters.triangles;
   stats.clippedCells = counters.clipped;
@@ -115,8 +133,8 @@ Image Renderer::readImage(FrameStats* stats) { return target_.read(stats ? &stat
 MemoryUse Renderer::memoryUse() const {
   MemoryUse use;
   use.meshBytes = mesh_.sizeBytes();
-  use.frameBytes = storage_.sizeBytes() + target_.sizeBytes();
-  use.orderBytes = order_->sizeBytes() + (visibility_ ? visibility_->sizeBytes() : 0);
+  use.frameBytes = (storage_ ? storage_->sizeBytes() : marchStorage_->sizeBytes()) + target_.sizeBytes();
+  use.orderBytes = (order_ ? order_->sizeBytes() : 0) + (visibility_ ? visibility_->sizeBytes() : 0);
   use.tableBytes = transfer_ ? transfer_->sizeBytes() : 0;
   return use;
 }

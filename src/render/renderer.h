@@ -12,6 +12,7 @@
 #include "mesh/tet_mesh.h"
 #include "render/frame.h"
 #include "render/order/order_check.h"
+#include "render/projection.h"
 #include "view/camera.h"
 #include "volume/transfer_function.h"
 
@@ -28,7 +29,8 @@ struct RendererOptions {
   // is needed; forced for tests.
   bool forceWideAddressing = false;
   std::optional<SortVariant> sortVariant;  // nothing: the best for the device
-  Order order = Order::Auto;
+  CellProjection projection = CellProjection::Pt;
+  Order order = Order::Auto;  // CellProjection::March needs none and is always right
   std::uint32_t kBuffer = 6;  // segments buffered per pixel by Order::KBuffer, 1 to KBUFFER_LARGEST
   bool checkOrder = false;    // count what the order gets wrong, every frame (costs about as much as the cull pass)
 };
@@ -42,6 +44,7 @@ struct FrameStats {
   std::uint64_t culledTransparent = 0;
   std::vector<gpu::PassTime> passes;  // when timed
   Target target = Target::Rgba32f;    // what was drawn into; never Auto
+  CellProjection projection = CellProjection::Pt;
   OrderReport order;
   double frameMs = 0.0;     // device work until the picture is ready there
   double readbackMs = 0.0;  // picture to host memory
@@ -72,6 +75,7 @@ class Renderer {
 
   MemoryUse memoryUse() const;
   const MeshSpace& space() const { return mesh_.space(); }
+  CellProjection projection() const { return projection_; }
 
  private:
   OrderReport drawInto(gpu::Recorder& recorder, const Camera& camera, ImageSize size, std::uint32_t output,
@@ -84,10 +88,15 @@ class Renderer {
   GpuMesh mesh_;
   bool wideAddressing_;
   bool checkOrder_;
-  FramePasses passes_;
-  FrameStorage storage_;
+  CellProjection projection_;
+  // Of projected cells:
+  std::unique_ptr<FramePasses> passes_;
+  std::unique_ptr<FrameStorage> storage_;
   std::unique_ptr<VisibilityKit> visibility_;
   std::unique_ptr<CellOrder> order_;
+  // Of walking rays:
+  std::unique_ptr<MarchPass> marchPass_;
+  std::unique_ptr<MarchStorage> marchStorage_;
   std::unique_ptr<TransferBuffer> transfer_;
   TargetImages target_;
 

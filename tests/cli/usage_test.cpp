@@ -71,6 +71,8 @@ TEST(Usage, BadValues) {
   expectUsageError({"render", "a.vtu", "--frames", "3", "-o", "a.exr"}, "expected a place for the frame's number");
   expectUsageError({"render", "a.vtu", "-o", "%s.exr"}, "-o: found '%s.exr'");
   expectUsageError({"render", "a.vtu", "--target", "rgba64f"}, "--target");
+  expectUsageError({"render", "a.vtu", "--projection", "guess"}, "--projection");
+  expectUsageError({"info", "a.vtu", "--orders", "--projection", "march"}, "--orders: found '--projection march'");
   expectUsageError({"render", "a.vtu", "--chunk-cells", "0"}, "--chunk-cells");
   for (const char* command : {"render", "reference", "bench"}) {
     for (const char* value : {"0", "-1", "nan", "inf", "1e999", "x", ""})

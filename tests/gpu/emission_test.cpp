@@ -44,10 +44,11 @@ struct Pair {
 };
 
 Pair drawBoth(const gpu::Context& context, const TetMesh& mesh, const TransferFunction& transfer, const Camera& camera,
-              Order order = Order::Auto) {
+              Order order = Order::Auto, CellProjection projection = CellProjection::Pt) {
   const ScalarField field = scalarField(mesh, "", "test");
   RendererOptions options;
   options.order = order;
+  options.projection = projection;
   Renderer renderer(context, mesh, field, options);
   renderer.setTransferFunction(transfer);
   Pair result;
@@ -77,6 +78,21 @@ TEST_F(GpuTest, EmissionPerLengthIsTheSameThroughAKBuffer) {
   const TetMesh mesh = randomDelaunay(800, 9);
   const Pair pair = drawBoth(context(), mesh, bands(Emission::PerLength), cameras()[0], Order::KBuffer);
   EXPECT_LE(compareImages(pair.exact, pair.drawn).rmse, 5e-5);
+}
+
+// Outlines and rays that walk have code of their own for what lies in front; dark parts must not hide what glows
+// behind.
+TEST_F(GpuTest, EmissionPerLengthByEveryProjection) {
+  const TetMesh mesh = randomDelaunay(1500, 6);
+  const TransferFunction dense = bands(Emission::PerLength).scaled(10);
+  for (const CellProjection projection : {CellProjection::Silhouette, CellProjection::March}) {
+    for (const Camera& camera : cameras()) {
+      for (const TransferFunction& transfer : {bands(Emission::PerLength), dense}) {
+        const Pair pair = drawBoth(context(), mesh, transfer, camera, Order::Auto, projection);
+        EXPECT_LE(compareImages(pair.exact, pair.drawn).rmse, 5e-5) << projectionName(projection);
+      }
+    }
+  }
 }
 
 TEST_F(GpuTest, CellsThatOnlyEmitAreDrawn) {

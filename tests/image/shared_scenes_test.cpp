@@ -12,14 +12,11 @@
 namespace tetralux::render {
 namespace {
 
-class SharedScenes : public test::GpuTest, public ::testing::WithParamInterface<const char*> {};
-
-TEST_P(SharedScenes, AreDrawnWithinTheirLimit) {
-  const std::string name = GetParam();
-  REQUIRE_SHARED("scenes/" + name + ".json");
+// Draws a scene and compares it with its exact image.
+void expectExact(const gpu::Context& context, const std::string& name, const RendererOptions& options) {
   const Scene scene = readScene(test::sharedPath("scenes/" + name + ".json"));
   const TetMesh mesh = readMesh(scene.meshPath);
-  Renderer renderer(context(), mesh, scalarField(mesh, scene.fieldName, name));
+  Renderer renderer(context, mesh, scalarField(mesh, scene.fieldName, name), options);
   renderer.setTransferFunction(scene.transferFunction);
   renderer.draw(scene.camera, scene.size);
   const ImageDifference d =
@@ -27,6 +24,30 @@ TEST_P(SharedScenes, AreDrawnWithinTheirLimit) {
   EXPECT_LE(d.rmse, 5e-5);
   EXPECT_LE(d.max, 1.0 / 255.0);
   EXPECT_EQ(d.nonFinite, 0u);
+}
+
+class SharedScenes : public test::GpuTest, public ::testing::WithParamInterface<const char*> {};
+
+TEST_P(SharedScenes, AreDrawnWithinTheirLimit) {
+  const std::string name = GetParam();
+  REQUIRE_SHARED("scenes/" + name + ".json");
+  expectExact(context(), name, {});
+}
+
+TEST_P(SharedScenes, AreMarchedWithinTheirLimit) {
+  const std::string name = GetParam();
+  REQUIRE_SHARED("scenes/" + name + ".json");
+  RendererOptions options;
+  options.projection = CellProjection::March;
+  expectExact(context(), name, options);
+}
+
+TEST_P(SharedScenes, AreDrawnAsSilhouettesWithinTheirLimit) {
+  const std::string name = GetParam();
+  REQUIRE_SHARED("scenes/" + name + ".json");
+  RendererOptions options;
+  options.projection = CellProjection::Silhouette;
+  expectExact(context(), name, options);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SharedScenes,

@@ -1,0 +1,111 @@
+// Rays walk through the mesh from the front and gather light.
+//
+// One invocation per pixel; its list holds the faces where its ray enters the mesh, near ones first. A walk ends where the ray
+// leaves the mesh, or where nothing behind can be seen any more. After MARCH_ROUNDS rounds the face at which the ray stands takes
+// the place of its entry, the pixel is counted, and another dispatch goes on.
+//
+// A round of the loop is one part of a cell's segment (include/integrate.glsl), most cells have one: a loop over parts within a
+// loop over cells would keep all lanes of a subgroup waiting for the one with most parts.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_buffer_reference : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shared/clipped_cells.h"
+#include "shared/frame_view.h"
+#include "shared/limits.h"
+#include "shared/march.h"
+#include "shared/pixel_lists.h"
+#include "shared/spec_ids.h"
+
+layout(local_size_x = 64) in;
+
+#define MESH_CELLS 1
+#define MESH_VERTICES 2
+#define MESH_CELL_SCALARS 3
+#define TOPOLOGY_NEIGHBORS 4
+#define TRANSFER_PIECES 5
+#define TRANSFER_PIECE_BINS 6
+#include "include/dispatch.glsl"
+#include "include/integrate.glsl"
+#include "include/march_pixel.glsl"
+#include "include/mesh_access.glsl"
+#include "include/view_space.glsl"
+#include "include/ray_walk.glsl"
+
+layout(binding = 0, scalar) uniform FrameViewBlock { FrameView view; };
+layout(binding = 7, scalar) buffer PixelHeads { uint pixelHeads[]; };
+layout(binding = 8, scalar) readonly buffer PixelLinks { uint pixelLinks[]; };
+layout(binding = 9, scalar) buffer PixelRanks { uvec2 pixelRanks[]; };
+layout(binding = 10, scalar) buffer Colors { vec4 colors[]; };
+layout(binding = 11, scalar) buffer Unfinished { uint unfinished; };
+
+layout(push_constant, scalar) uniform Push {
+  MeshAddresses mesh;
+  NeighborsAt neighborsAt;
+  PixelBand band;
+};
+
+// The segment between two faces; what lies behind the eye is cut off.
+PartWalk beginCell(Ray ray, uint cell, vec2 enter, vec2 leave) {
+  vec2 scalars = vec2(enter.y, leave.y);
+  if (kCellField) scalars = vec2(loadCellScalar(mesh, cell));
+  float depth = leave.x - enter.x;
+  if (kNearCells) {
+    const float hidden = clamp((ray.eyeDepth - enter.x) / max(depth, 1e-30), 0.0, 1.0);
+    scalars.x = mix(scalars.x, scalars.y, hidden);
+    depth *= 1.0 - hidden;
+  }
+  return beginParts(scalars.x, scalars.y, depth * ray.lengthPerDepth);
+}
+
+void main() {
+  const uvec2 place = tilePixel(band);
+  if (place.x >= band.width || place.y >= band.rowCount) return;
+  const uint pixel = place.y * band.width + place.x;
+  uint node = pixelHeads[pixel];
+  if (node == NO_NODE) return;
+  const Ray ray = pixelRay(view, uvec2(place.x, band.firstRow + place.y));
+  vec4 color = colors[pixel];
+  float clearness = 1.0;
+  if (kEmissionPerLength) {
+    if (color.a < 0.0) clearness = -color.a;
+    color.a = 1.0 - clearness;
+  }
+  uint rounds = 0;
+  for (uint walk = 0; walk < MARCH_ROUNDS; walk++) {
+    const uint code = pixelRanks[node].y;
+    uint cell = code >> 2;
+    Face face = loadFace(mesh, ray, code);
+    vec2 enter = meetFirst(face);
+
+    uint next = crossCell(mesh, neighborsAt, ray, cell, face).cell;
+    vec2 leave = meetNext(face, enter);
+    PartWalk parts = beginCell(ray, cell, enter, leave);
+    bool isThrough = false;
+    for (uint round = 0; round < MARCH_LAST_ROUND; round++) {
+      const bool isLast = walkPart(parts, color.rgb, color.a, clearness);
+      rounds++;
+      isThrough = (isLast && next == NO_CELL) || isWalkOpaque(color.a, clearness);
+      if (isThrough || (isLast && rounds >= MARCH_ROUNDS)) break;
+      if (isLast) {
+        cell = next;
+        enter = leave;
+        next = crossCell(mesh, neighborsAt, ray, cell, face).cell;
+        leave = meetNext(face, enter);
+        parts = beginCell(ray, cell, enter, leave);
+      }
+    }
+    if (isThrough) {
+      node = isWalkOpaque(color.a, clearness) ? NO_NODE : pixelLinks[node];
+    } else {
+      const uvec4 vertices = loadCellVertices(mesh, next);
+      pixelRanks[node].y = cellFace(next, vertices, oppositeVertex(vertices, face));
+    }
+    if (node == NO_NODE || rounds >= MARCH_ROUNDS) break;
+  }
+  if (kEmissionPerLength && node != NO_NODE) color.a = -clearness;  // kept with all its digits for the next dispatch
+  colors[pixel] = color;
+  pixelHeads[pixel] = node;
+  if (node != NO_NODE) atomicAdd(unfinished, 1u);
+}

@@ -1,0 +1,56 @@
+// Passes "enter" and "march": rays walk through the mesh's adjacency (Weiler et al. 2003, HARC; Espinha and Celes
+// 2005).
+//
+// A picture's order is right by construction, and only cells that are hit cost anything. Cells that overlap cannot be
+// walked through together: the mesh is cut where it is folded (mesh/cut_folds.h) and its layers are composited one
+// after the other, in the order in which the ray enters them.
+#pragma once
+
+#include "gpu/commands.h"
+#include "render/frame_view.h"
+#include "render/gpu_mesh.h"
+#include "render/march_storage.h"
+#include "render/pipeline_variants.h"
+#include "render/transfer_buffer.h"
+
+namespace tetralux::render {
+
+class MarchPass {
+ public:
+  explicit MarchPass(const gpu::Context& context);
+
+  // Lists the faces where the rays of a band enter the mesh, near ones first, and empties the band's colours. The
+  // storage's lists must be empty; when there was too little room for them (PixelLists::grow), what follows is wrong.
+  void recordEnter(gpu::CommandBuffer& commands, const FrameVariant& variant, const GpuMesh& mesh,
+                   const MarchStorage& storage, const shared::PixelBand& band);
+
+  // Where the eye may be inside the mesh: finds the cells in which rays start. Adds to storage.unfinished() when it
+  // has to be recorded again.
+  void recordSeek(gpu::CommandBuffer& commands, const FrameVariant& variant, const GpuMesh& mesh,
+                  const MarchStorage& storage, const shared::PixelBand& band);
+
+  // Walks. Adds the rays that are not through to storage.unfinished(); recorded again, they go on.
+  void recordMarch(gpu::CommandBuffer& commands, const FrameVariant& variant, const GpuMesh& mesh,
+                   const TransferBuffer& transfer, const MarchStorage& storage, const shared::PixelBand& band);
+
+  // Writes a band's colours into the target.
+  void recordShow(gpu::CommandBuffer& commands, const MarchStorage& storage, const shared::PixelBand& band,
+                  const gpu::AttachmentImage& target, bool clear);
+
+ private:
+  const gpu::GraphicsPipeline& enterPipeline(const FrameVariant& variant);
+  const gpu::GraphicsPipeline& showPipeline(VkFormat format);
+
+  const gpu::Context& context_;
+  gpu::Shader entriesVertex_;
+  gpu::Shader entriesFragment_;
+  gpu::Shader showVertex_;
+  gpu::Shader showFragment_;
+  ComputeVariants arrange_;
+  ComputeVariants seek_;
+  ComputeVariants march_;
+  std::map<std::tuple<bool, bool, bool>, gpu::GraphicsPipeline> enter_;  // wide addressing, perspective, near cells
+  std::map<VkFormat, gpu::GraphicsPipeline> show_;
+};
+
+}  // namespace tetralux::render
