@@ -12,13 +12,16 @@
 #define CELL_PLANES 1
 #define TRANSFER_PIECES 2
 #define TRANSFER_PIECE_BINS 3
+#define INTEGRATION_NUMBERS 4
+#define INTEGRATION_TABLE_2D 5
+#define INTEGRATION_TABLE_3D 6
 #include "include/fan_segment.glsl"
-#define PIXEL_HEADS 4
-#define PIXEL_LINKS 5
-#define PIXEL_RANKS 6
+#define PIXEL_HEADS 7
+#define PIXEL_LINKS 8
+#define PIXEL_RANKS 9
 #include "include/pixel_lists.glsl"
-layout(binding = 7, scalar) buffer PixelColors { vec4 pixelColors[]; };
-layout(binding = 8, scalar) buffer PixelCounts { uint pixelCounts[]; };
+layout(binding = 10, scalar) buffer PixelColors { vec4 pixelColors[]; };
+layout(binding = 11, scalar) buffer PixelCounts { uint pixelCounts[]; };
 
 // 0: lists are sorted by depth; otherwise by drawing order, for a k-buffer.
 layout(constant_id = SPEC_KBUFFER) const uint kBuffer = 0;
@@ -32,8 +35,7 @@ layout(push_constant, scalar) uniform Push {
 void main() {
   const vec2 screen = screenOf(gl_FragCoord, push);
   const Segment segment = fragmentSegment(screen);
-  const vec4 color =
-      integrateSegment(segment.scalarFront, segment.scalarBack, segment.thickness * rayLengthPerDepth(screen));
+  const vec4 color = fragmentColor(segment, screen);
   if (color == vec4(0.0)) return;  // nothing to composite
   const uint node = atomicAdd(pixelCounts[band.index], 1u);
   if (node >= band.capacity) return;

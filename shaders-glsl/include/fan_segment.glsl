@@ -1,13 +1,19 @@
 // A ray's segment inside one cell, from what raster/fan.vert hands on.
 //
-// Before including: CELL_PLANES, TRANSFER_PIECES, TRANSFER_PIECE_BINS are binding numbers; shared/raster_push.h.
+// Before including: CELL_PLANES is a binding number; shared/raster_push.h; what include/integrate.glsl wants, for all methods.
+#include "shared/integration.h"
+
 layout(constant_id = SPEC_PERSPECTIVE) const bool kPerspective = true;
 layout(constant_id = SPEC_SILHOUETTE) const bool kSilhouette = false;  // all cells are clipped
+layout(constant_id = SPEC_INTERPOLATION) const uint kInterpolation = INTERPOLATION_PERSPECTIVE;
 
 layout(binding = CELL_PLANES) uniform samplerBuffer cellPlanes;  // of clipped cells: FAN_VERTICES per slot
 
+// What project/project.comp gives a vertex. Under INTERPOLATION_SCREEN: depth and scalar of the front end, length of the segment,
+// scalar of the back end. Under INTEGRATION_VERTEX: colour and opacity.
 layout(location = 0) in vec4 fanEnds;
-layout(location = 1) flat in vec2 thickEnds;  // of the fan's centre: q of its front end, and the largest q difference
+// Of the fan's centre: q of its front end, and the largest q difference; in the two other cases depth and length.
+layout(location = 1) flat in vec2 thickEnds;
 layout(location = 2) flat in int fanCell;     // slot in the batch, doubled; odd for a cell that is clipped
 
 #include "include/integrate.glsl"
@@ -19,12 +25,23 @@ struct Segment {
   float thickness;  // along the view direction, mesh units
 };
 
+// Length along a ray per depth.
+float rayLengthPerDepth(vec2 screen) { return kPerspective ? sqrt(1.0 + dot(screen, screen)) : 1.0; }
+
 // From the fan's vertices: both ends by division through the interpolated 1/depth, and the thickness from the
 // interpolated difference, 1/q_b - 1/q_f = (q_f - q_b) / (q_f q_b).
 //
 // Rasterisers snap vertices to 1/256 pixel, so a pixel's centre may lie that far outside the triangle, which can be many
 // times the width of a sliver: what is extrapolated is held to what the cell has.
-Segment fanSegment() {
+//
+// Older methods interpolate the length and the scalars themselves on the screen, as if the view were orthographic (Kraus et
+// al. 2004, section 2.1, on what is wrong with that).
+Segment fanSegment(vec2 screen) {
+  const float perLength = 1.0 / rayLengthPerDepth(screen);
+  // The fan's vertices have been classified: only the cell's place along the ray is left.
+  if (kIntegration == INTEGRATION_VERTEX) return Segment(0.0, 0.0, thickEnds.x, thickEnds.y * perLength);
+  if (kInterpolation == INTERPOLATION_SCREEN)
+    return Segment(fanEnds.y, fanEnds.w, fanEnds.x, clamp(fanEnds.z, 0.0, thickEnds.y) * perLength);
   const float dq = clamp(fanEnds.z, 0.0, thickEnds.y);
   if (!kPerspective) return Segment(fanEnds.y, fanEnds.w, -fanEnds.x, dq);
   const float qFront = clamp(fanEnds.x, thickEnds.x * NEAR_DEPTH_RATIO, thickEnds.x / NEAR_DEPTH_RATIO);
@@ -64,7 +81,7 @@ Segment clippedSegment(int slot, vec3 origin, vec3 direction) {
 // The segment of this fragment's ray.
 //   screen   the ray's direction, x/z and y/z (perspective), or its position
 Segment fragmentSegment(vec2 screen) {
-  Segment segment = fanSegment();
+  Segment segment = fanSegment(screen);
   if (kSilhouette || (fanCell & 1) != 0)
     segment = kPerspective ? clippedSegment(fanCell >> 1, vec3(0.0), vec3(screen, 1.0))
                            : clippedSegment(fanCell >> 1, vec3(screen, 0.0), vec3(0.0, 0.0, 1.0));
@@ -75,5 +92,12 @@ vec2 screenOf(vec4 fragCoord, RasterPush push) {
   return vec2(fragCoord.x - push.halfSize.x, push.halfSize.y - fragCoord.y) * push.unitsPerPixel;
 }
 
-// Length along a ray per depth.
-float rayLengthPerDepth(vec2 screen) { return kPerspective ? sqrt(1.0 + dot(screen, screen)) : 1.0; }
+// Light, premultiplied, and opacity of this fragment's segment.
+vec4 fragmentColor(Segment segment, vec2 screen) {
+  if (kIntegration == INTEGRATION_VERTEX && !kSilhouette && (fanCell & 1) == 0) {
+    // What is extrapolated, see above, is held to what there can be.
+    const float opacity = clamp(fanEnds.a, 0.0, 1.0);
+    return vec4(max(fanEnds.rgb, vec3(0.0)) * opacity, opacity);
+  }
+  return integrateSegment(segment.scalarFront, segment.scalarBack, segment.thickness * rayLengthPerDepth(screen));
+}

@@ -12,6 +12,9 @@
 #define CELL_PLANES 1
 #define TRANSFER_PIECES 2
 #define TRANSFER_PIECE_BINS 3
+#define INTEGRATION_NUMBERS 4
+#define INTEGRATION_TABLE_2D 5
+#define INTEGRATION_TABLE_3D 6
 #include "include/fan_segment.glsl"
 #include "include/target_output.glsl"
 
@@ -21,8 +24,6 @@ layout(location = 0) out vec4 color;  // premultiplied light, opacity; or what k
 
 void main() {
   const vec2 screen = screenOf(gl_FragCoord, push);
-  const Segment segment = fragmentSegment(screen);
-  const vec4 layer =
-      integrateSegment(segment.scalarFront, segment.scalarBack, segment.thickness * rayLengthPerDepth(screen));
+  const vec4 layer = fragmentColor(fragmentSegment(screen), screen);
   color = targetOutput(layer, uvec2(gl_FragCoord.xy), uint(fanCell >> 1));
 }

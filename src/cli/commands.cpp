@@ -57,6 +57,7 @@ const std::vector<CommandEntry>& commandTable() {
       {"compare", "How far two pictures are apart", makeCompareCommand},
       {"bench", "Time frames, with the camera turning", makeBenchCommand},
       {"mesh", "Write a generated mesh", makeMeshCommand},
+      {"table", "Write a table that a method of integration looks into", makeTableCommand},
       {"info", "What a mesh file holds, and its defects", makeInfoCommand},
       {"devices", "List the machine's Vulkan devices", makeDevicesCommand},
   };

@@ -18,6 +18,10 @@ namespace tetralux::cli {
 void SceneOptions::add(CLI::App& app) {
   app.add_option("--size", size, "Image size in pixels, WxH (default: the scene's; 1024x768 for a mesh)");
   app.add_option("--camera", cameraFile, "JSON file with a \"camera\", used instead of the scene's");
+  addTransfer(app);
+}
+
+void SceneOptions::addTransfer(CLI::App& app) {
   app.add_option("--field", field, "Point or cell array to draw (default: the scene's; the mesh's first scalar)");
   std::string presets;
   for (const std::string& name : transferPresetNames()) presets += (presets.empty() ? "" : ", ") + name;
@@ -33,7 +37,7 @@ void SceneOptions::add(CLI::App& app) {
 }
 
 void DeviceOptions::add(CLI::App& app) {
-  app.add_option("--device", device, "Vulkan device: index or part of its name (default: the best one)");
+  addDevice(app);
   app.add_option("--target", target, "What cells are blended into (default: rgba32f)")
       ->check(CLI::IsMember(render::targetNames()));
   app.add_option("--chunk-cells", chunkCells,
@@ -45,9 +49,46 @@ void DeviceOptions::add(CLI::App& app) {
       ->check(CLI::IsMember(render::projectionNames()));
   app.add_option("--order", order, "Order in which cells are drawn (default: auto)")
       ->check(CLI::IsMember(render::orderNames()));
+  app.add_option("--integration", integration, "How light is integrated through a cell (default: exact)")
+      ->check(CLI::IsMember(render::integrationNames()));
+  app.add_option("--interpolation", interpolation,
+                 "What is interpolated over a cell's triangles: as perspective has it, or linearly on the screen "
+                 "(default: perspective)")
+      ->check(CLI::IsMember(render::interpolationNames()));
+  addTable(app);
   app.add_option("--force-path", forcePath, "For tests: take a code path that this device would not choose")
-      ->check(CLI::IsMember({"wide-addressing", "sort-tiles", "sort-chunks"}));
+      ->check(CLI::IsMember({"wide-addressing", "sort-tiles", "sort-chunks", "table-fetch"}));
+}
+
+void DeviceOptions::addDevice(CLI::App& app) {
+  app.add_option("--device", device, "Vulkan device: index or part of its name (default: the best one)");
   app.add_flag("--validate", validate, "Run with Vulkan's validation layers; any message is an error");
+}
+
+void DeviceOptions::addTable(CLI::App& app) {
+  app.add_option("--table-size", tableSize,
+                 "Entries of the method's table, N, NxM or NxMxL (default: ppi 512, opacity2d and preint2d 256, "
+                 "preint3d 128x128x32)");
+  app.add_option("--table-format", tableFormat, "How a table's entries are stored (default: unorm16)")
+      ->check(CLI::IsMember(render::tableFormatNames()));
+}
+
+render::TableOptions DeviceOptions::tableOptions() const {
+  render::TableOptions table;
+  if (!tableSize.empty()) table.size = render::parseTableSize(tableSize);
+  if (!tableFormat.empty()) table.format = render::parseTableFormat(tableFormat);
+  table.forceFetch = forcePath == "table-fetch";
+  return table;
+}
+
+render::RenderOptions DeviceOptions::renderOptions() const {
+  render::RenderOptions options;
+  options.target = render::parseTarget(target);
+  options.chunkCells = chunkCells;
+  options.integration = render::parseIntegration(integration);
+  options.interpolation = render::parseInterpolation(interpolation);
+  options.table = tableOptions();
+  return options;
 }
 
 render::RendererOptions DeviceOptions::rendererOptions() const {
@@ -58,13 +99,6 @@ render::RendererOptions DeviceOptions::rendererOptions() const {
   options.forceWideAddressing = forcePath == "wide-addressing";
   if (forcePath == "sort-tiles") options.sortVariant = render::SortVariant::Tiles;
   if (forcePath == "sort-chunks") options.sortVariant = render::SortVariant::Chunks;
-  return options;
-}
-
-render::RenderOptions DeviceOptions::renderOptions() const {
-  render::RenderOptions options;
-  options.target = render::parseTarget(target);
-  options.chunkCells = chunkCells;
   return options;
 }
 

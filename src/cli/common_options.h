@@ -20,6 +20,7 @@ struct SceneOptions {
   double opacityScale = 1.0;  // multiplies every extinction, > 0
 
   void add(CLI::App& app);
+  void addTransfer(CLI::App& app);  // --field and --tf alone
 };
 
 // --device, --validate, --target, --order, --k: what it is drawn on, and how.
@@ -32,12 +33,20 @@ struct DeviceOptions {
   std::string projection = "pt";
   std::string order = "auto";
   std::uint32_t kBuffer = 6;
+  std::string integration = "exact";
+  std::string interpolation = "perspective";
+  std::string tableSize;    // empty: the method's
+  std::string tableFormat;  // empty: the method's
 
   void add(CLI::App& app);
+  // Parts of add() for commands that draw nothing.
+  void addDevice(CLI::App& app);  // --device and --validate
+  void addTable(CLI::App& app);   // --table-size and --table-format
   gpu::ContextOptions contextOptions() const { return {device, validate}; }
   render::RendererOptions rendererOptions() const;
-  // Target and chunk size; not timed.
+  // Everything that is chosen per frame; not timed. Throws Error(Usage).
   render::RenderOptions renderOptions() const;
+  render::TableOptions tableOptions() const;
 };
 
 // --quiet: no progress, no log lines below errors.

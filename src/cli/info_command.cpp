@@ -40,7 +40,7 @@ class InfoCommand : public Command {
     std::vector<OrderRow> rows;
     if (orders_) {
       const gpu::Context context(deviceOptions_.contextOptions());
-      rows = orderTable(context, loaded, deviceOptions_.rendererOptions(), frames_);
+      rows = orderTable(context, loaded, deviceOptions_.rendererOptions(), deviceOptions_.renderOptions(), frames_);
       failOnValidationMessages();
     }
     json_ ? printJson(stats, rows) : printText(stats, rows);

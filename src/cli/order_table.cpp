@@ -6,8 +6,11 @@
 namespace tetralux::cli {
 
 std::vector<OrderRow> orderTable(const gpu::Context& context, const LoadedScene& loaded,
-                                 const render::RendererOptions& options, std::uint32_t frames) {
+                                 const render::RendererOptions& options, const render::RenderOptions& frameOptions,
+                                 std::uint32_t frames) {
   const size_t orders = render::orderNames().size();
+  render::RenderOptions timedOptions = frameOptions;
+  timedOptions.timed = true;
   std::vector<OrderRow> rows;
   Progress progress("orders", orders);
   for (size_t i = 0; i < orders; i++) {
@@ -16,7 +19,7 @@ std::vector<OrderRow> orderTable(const gpu::Context& context, const LoadedScene&
     rowOptions.checkOrder = true;
     render::Renderer renderer(context, loaded.mesh, loaded.field, rowOptions);
     renderer.setTransferFunction(loaded.scene.transferFunction);
-    const OrderRow checked{rowOptions.order, renderer.draw(loaded.scene.camera, loaded.scene.size).order};
+    const OrderRow checked{rowOptions.order, renderer.draw(loaded.scene.camera, loaded.scene.size, frameOptions).order};
     rows.push_back(checked);
 
     // Times are those of a frame that is not asked to count.
@@ -25,7 +28,7 @@ std::vector<OrderRow> orderTable(const gpu::Context& context, const LoadedScene&
     timed.setTransferFunction(loaded.scene.transferFunction);
     std::vector<render::FrameStats> stats;
     for (std::uint32_t frame = 0; frame <= frames; frame++) {
-      render::FrameStats s = timed.draw(loaded.scene.camera, loaded.scene.size, {.timed = true});
+      render::FrameStats s = timed.draw(loaded.scene.camera, loaded.scene.size, timedOptions);
       if (frame > 0) stats.push_back(std::move(s));  // the first one makes pipelines
     }
     for (const char* pass : {"order", "check", "sort"}) rows.back().orderMs += medianPassMs(stats, pass);

@@ -18,6 +18,7 @@ struct OrderRow {
 // Draws a scene's view in every order and counts what each gets wrong. Shows progress. Throws Error(Device).
 //   frames   of which the medians are taken
 std::vector<OrderRow> orderTable(const gpu::Context& context, const LoadedScene& loaded,
-                                 const render::RendererOptions& options, std::uint32_t frames);
+                                 const render::RendererOptions& options, const render::RenderOptions& frameOptions,
+                                 std::uint32_t frames);
 
 }  // namespace tetralux::cli

@@ -32,14 +32,13 @@ class RenderCommand : public Command {
   int run() override {
     const std::vector<FramePattern> patterns = outputPatterns();
     ExrOptions exr = exrOptions_.exrOptions();
+    render::RenderOptions options = deviceOptions_.renderOptions();
     const LoadedScene loaded = loadScene(input_, sceneOptions_);
     const gpu::Context context(deviceOptions_.contextOptions());
     render::RendererOptions rendererOptions = deviceOptions_.rendererOptions();
     rendererOptions.checkOrder = !statsFile_.empty();
     render::Renderer renderer(context, loaded.mesh, loaded.field, rendererOptions);
     renderer.setTransferFunction(loaded.scene.transferFunction);
-
-    render::RenderOptions options = deviceOptions_.renderOptions();
     options.timed = !statsFile_.empty();
     RunStats run;
     Progress progress("render", frames_);
@@ -83,7 +82,8 @@ class RenderCommand : public Command {
             {"tetralux.field", loaded.field.name},
             {"tetralux.device", device.name},
             {"tetralux.driver", device.driver},
-            {"tetralux.integration", "exact"},
+            {"tetralux.integration", render::integrationName(stats.integration)},
+            {"tetralux.interpolation", render::interpolationName(stats.interpolation)},
             {"tetralux.projection", render::projectionName(stats.projection)},
             {"tetralux.order", render::orderName(stats.order.order)},
             {"tetralux.target", render::targetName(stats.target)}};

@@ -74,8 +74,8 @@ nlohmann::ordered_json statsJson(const LoadedScene& loaded, const gpu::DeviceInf
   json["field"] = loaded.field.name;
   json["width"] = loaded.scene.size.width;
   json["height"] = loaded.scene.size.height;
-  json["integration"] = "exact";
-  json["interpolation"] = "perspective";
+  json["integration"] = render::integrationName(last.integration);
+  json["interpolation"] = render::interpolationName(last.interpolation);
   json["projection"] = render::projectionName(renderer.projection());
   json["order"] = render::orderName(last.order.order);
   json["target"] = render::targetName(last.target);
@@ -91,6 +91,7 @@ nlohmann::ordered_json statsJson(const LoadedScene& loaded, const gpu::DeviceInf
   json["ms"] = {{"load", rounded(loaded.loadMs)},
                 {"first_frame", rounded(run.firstFrameMs)},
                 {"frame", rounded(medianFrameMs(run.frames))},
+                {"tables", rounded(last.tablesMs)},
                 {"cull", rounded(medianPassMs(run.frames, "cull"))},
                 {"order", rounded(medianPassMs(run.frames, "order"))},
                 {"check", rounded(medianPassMs(run.frames, "check"))},

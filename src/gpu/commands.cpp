@@ -12,6 +12,13 @@ namespace {
 
 constexpr VkImageSubresourceRange kWholeColor{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
 
+VkBufferImageCopy wholeImage(const ImageExtent& extent) {
+  VkBufferImageCopy region{};
+  region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+  region.imageExtent = {extent.width, extent.height, std::max(extent.depth, 1u)};
+  return region;
+}
+
 }  // namespace
 
 GroupCount groupCount(std::uint64_t threads, std::uint32_t workgroupSize) {
@@ -64,9 +71,10 @@ void CommandBuffer::bind(VkPipelineBindPoint point, VkPipeline pipeline, const P
     if (bindings[i] == VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER) {
       CHECK(d.view_ != VK_NULL_HANDLE);
       writes[i].pTexelBufferView = &d.view_;
-    } else if (bindings[i] == VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE) {
+    } else if (bindings[i] == VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE ||
+               bindings[i] == VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER) {
       CHECK(d.image_ != VK_NULL_HANDLE);
-      images[i] = {VK_NULL_HANDLE, d.image_, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+      images[i] = {d.sampler_, d.image_, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
       writes[i].pImageInfo = &images[i];
     } else {
       CHECK(d.buffer_ != nullptr);
@@ -134,8 +142,8 @@ void CommandBuffer::bindVertices(std::initializer_list<const Buffer*> streams, c
   vkCmdBindIndexBuffer(commands_, indices.get(), 0, VK_INDEX_TYPE_UINT32);
 }
 
-void CommandBuffer::imageBarrier(const AttachmentImage& image, VkImageLayout from, VkImageLayout to,
-                                 const Access& before, const Access& after) {
+void CommandBuffer::imageBarrier(VkImage image, VkImageLayout from, VkImageLayout to, const Access& before,
+                                 const Access& after) {
   VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
   barrier.srcStageMask = before.stages;
   barrier.srcAccessMask = before.access;
@@ -145,7 +153,7 @@ void CommandBuffer::imageBarrier(const AttachmentImage& image, VkImageLayout fro
   barrier.newLayout = to;
   barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
   barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-  barrier.image = image.get();
+  barrier.image = image;
   barrier.subresourceRange = kWholeColor;
   VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
   info.imageMemoryBarrierCount = 1;
@@ -154,23 +162,23 @@ void CommandBuffer::imageBarrier(const AttachmentImage& image, VkImageLayout fro
 }
 
 void CommandBuffer::prepareAttachment(const AttachmentImage& image) {
-  imageBarrier(image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+  imageBarrier(image.get(), VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
                access::kColorWrite | access::kTransferRead | access::kFragmentReadWrite, access::kColorWrite);
 }
 
 void CommandBuffer::prepareSampling(const AttachmentImage& image) {
-  imageBarrier(image, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+  imageBarrier(image.get(), VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
                access::kColorWrite, access::kFragmentReadWrite);
 }
 
 void CommandBuffer::copyToBuffer(const AttachmentImage& image, const Buffer& buffer) {
-  imageBarrier(image, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+  imageBarrier(image.get(), VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
                access::kColorWrite, access::kTransferRead);
   VkBufferImageCopy region{};
   region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
   region.imageExtent = {image.width(), image.height(), 1};
   vkCmdCopyImageToBuffer(commands_, image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.get(), 1, &region);
-  imageBarrier(image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+  imageBarrier(image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
                access::kTransferRead, access::kColorWrite);
 }
 
@@ -182,6 +190,24 @@ void CommandBuffer::copy(const Buffer& from, std::uint64_t fromOffset, const Buf
 
 void CommandBuffer::fill(const Buffer& buffer, std::uint32_t value) {
   vkCmdFillBuffer(commands_, buffer.get(), 0, VK_WHOLE_SIZE, value);
+}
+
+void CommandBuffer::copyToImage(const Buffer& buffer, const SampledImage& image) {
+  imageBarrier(image.get(), VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, access::kAnyRead,
+               access::kTransferWrite);
+  const VkBufferImageCopy region = wholeImage(image.extent());
+  vkCmdCopyBufferToImage(commands_, buffer.get(), image.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+  imageBarrier(image.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+               access::kTransferWrite, access::kAnyRead);
+}
+
+void CommandBuffer::copyToBuffer(const SampledImage& image, const Buffer& buffer) {
+  imageBarrier(image.get(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+               access::kAnyRead, access::kTransferRead);
+  const VkBufferImageCopy region = wholeImage(image.extent());
+  vkCmdCopyImageToBuffer(commands_, image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.get(), 1, &region);
+  imageBarrier(image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+               access::kTransferRead, access::kAnyRead);
 }
 
 double CommandBuffer::submitAndWait() {

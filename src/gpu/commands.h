@@ -8,6 +8,7 @@
 #include "gpu/buffer.h"
 #include "gpu/image.h"
 #include "gpu/pipeline.h"
+#include "gpu/sampled_image.h"
 
 namespace tetralux::gpu {
 
@@ -47,19 +48,22 @@ struct Rows {
   std::uint32_t count = 0;
 };
 
-// What a binding is bound to: a buffer (storage or uniform, as the shader declares), a texel view, or an image prepared
-// for sampling.
+// What a binding is bound to: a buffer (storage or uniform, as the shader declares), a texel view, an image prepared
+// for sampling, or an image with its sampler.
 class Descriptor {
  public:
   Descriptor(const Buffer& buffer) : buffer_(&buffer) {}              // NOLINT(google-explicit-constructor)
   Descriptor(const TexelView& view) : view_(view.get()) {}            // NOLINT(google-explicit-constructor)
   Descriptor(const AttachmentImage& image) : image_(image.view()) {}  // NOLINT(google-explicit-constructor)
+  Descriptor(const SampledImage& image)                               // NOLINT(google-explicit-constructor)
+      : image_(image.view()), sampler_(image.sampler()) {}
 
  private:
   friend class CommandBuffer;
   const Buffer* buffer_ = nullptr;
   VkBufferView view_ = VK_NULL_HANDLE;
   VkImageView image_ = VK_NULL_HANDLE;
+  VkSampler sampler_ = VK_NULL_HANDLE;
 };
 
 // A primary command buffer, recording from its construction on; submitted at most once. Everything recorded must
@@ -125,6 +129,11 @@ class CommandBuffer {
   void copy(const Buffer& from, std::uint64_t fromOffset, const Buffer& to, std::uint64_t toOffset,
             std::uint64_t bytes);
   void fill(const Buffer& buffer, std::uint32_t value);
+  // Fills a sampled image from a buffer of its texels, tightly packed, row 0 of slice 0 first. The image can be read by
+  // shaders after it; writes of the buffer need a barrier to kTransferRead before.
+  void copyToImage(const Buffer& buffer, const SampledImage& image);
+  // The same back; the image must have been filled, and can be read by shaders again.
+  void copyToBuffer(const SampledImage& image, const Buffer& buffer);
 
   // Ends recording, runs everything and waits for it. Returns the wall time of submission and wait, ms.
   double submitAndWait();
@@ -139,8 +148,7 @@ class CommandBuffer {
   void dispatchGroups(const ComputePipeline& pipeline, std::uint64_t threads);
   void bindVertices(std::initializer_list<const Buffer*> streams, const Buffer& indices);
   void setArea(std::uint32_t width, std::uint32_t height, Rows rows);
-  void imageBarrier(const AttachmentImage& image, VkImageLayout from, VkImageLayout to, const Access& before,
-                    const Access& after);
+  void imageBarrier(VkImage image, VkImageLayout from, VkImageLayout to, const Access& before, const Access& after);
 
   const Context* context_;
   VkCommandBuffer commands_ = VK_NULL_HANDLE;

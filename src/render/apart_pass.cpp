@@ -23,14 +23,16 @@ ApartPass::ApartPass(const gpu::Context& context)
       resolve_(context, "apart/resolve.comp") {}
 
 void ApartPass::recordStore(gpu::CommandBuffer& commands, const FrameVariant& variant, const shared::RasterPush& push,
-                            const TransferBuffer& transfer, const BatchStorage& batches, std::uint32_t firstSlot,
-                            const PixelLists& lists, const shared::PixelBand& band, std::uint32_t kBuffer) {
+                            const TransferBuffer& transfer, const IntegrationTables& tables,
+                            const BatchStorage& batches, std::uint32_t firstSlot, const PixelLists& lists,
+                            const shared::PixelBand& band, std::uint32_t kBuffer) {
   commands.beginRendering(lists.size().width, lists.size().height, {band.firstRow, band.rowCount});
-  commands.drawIndexedIndirect(storePipeline(variant, kBuffer),
-                               {batches.modesView, batches.endsView, transfer.pieces(), transfer.pieceBins(),
-                                lists.heads(), lists.links(), lists.ranks(), lists.colors(), lists.counts()},
-                               StorePush{push, band, firstSlot}, {&batches.positions, &batches.ends}, batches.indices,
-                               batches.arguments, offsetof(shared::BatchArguments, indexCount));
+  commands.drawIndexedIndirect(
+      storePipeline(variant, kBuffer),
+      {batches.modesView, batches.endsView, transfer.pieces(), transfer.pieceBins(), tables.numbers(), tables.table2d(),
+       tables.table3d(), lists.heads(), lists.links(), lists.ranks(), lists.colors(), lists.counts()},
+      StorePush{push, band, firstSlot}, {&batches.positions, &batches.ends}, batches.indices, batches.arguments,
+      offsetof(shared::BatchArguments, indexCount));
   commands.endRendering();
 }
 
@@ -49,15 +51,16 @@ void ApartPass::recordBlend(gpu::CommandBuffer& commands, const FrameVariant& va
 }
 
 const gpu::GraphicsPipeline& ApartPass::storePipeline(const FrameVariant& variant, std::uint32_t kBuffer) {
-  const StoreKey key{variant.perspective, variant.emissionPerLength, variant.silhouette, kBuffer};
+  const StoreKey key{variant.perspective, variant.emissionPerLength, variant.silhouette, variant.integration, kBuffer};
   const auto found = store_.find(key);
   if (found != store_.end()) return found->second;
   gpu::GraphicsState state;
   state.streams = {{VK_FORMAT_R32G32_SFLOAT, 8}, {VK_FORMAT_R32G32B32A32_SFLOAT, 16}};
-  const gpu::SpecConstants constants = {{SPEC_PERSPECTIVE, variant.perspective},
-                                        {SPEC_EMISSION_PER_LENGTH, variant.emissionPerLength},
-                                        {SPEC_SILHOUETTE, variant.silhouette},
-                                        {SPEC_KBUFFER, kBuffer}};
+  gpu::SpecConstants constants = variant.integration.specConstants();
+  constants.push_back({SPEC_PERSPECTIVE, variant.perspective});
+  constants.push_back({SPEC_EMISSION_PER_LENGTH, variant.emissionPerLength});
+  constants.push_back({SPEC_SILHOUETTE, variant.silhouette});
+  constants.push_back({SPEC_KBUFFER, kBuffer});
   return store_.emplace(key, gpu::GraphicsPipeline(context_, fanVertex_, storeFragment_, state, constants))
       .first->second;
 }

@@ -3,6 +3,7 @@
 
 #include "render/batch.h"
 #include "render/frame_view.h"
+#include "render/integration/integration_tables.h"
 #include "render/pipeline_variants.h"
 #include "render/pixel_lists.h"
 #include "render/transfer_buffer.h"
@@ -17,8 +18,9 @@ class ApartPass {
   //   firstSlot   of the batch
   //   kBuffer     0: lists will be sorted by depth; otherwise they go through a k-buffer in drawing order
   void recordStore(gpu::CommandBuffer& commands, const FrameVariant& variant, const shared::RasterPush& push,
-                   const TransferBuffer& transfer, const BatchStorage& batches, std::uint32_t firstSlot,
-                   const PixelLists& lists, const shared::PixelBand& band, std::uint32_t kBuffer);
+                   const TransferBuffer& transfer, const IntegrationTables& tables, const BatchStorage& batches,
+                   std::uint32_t firstSlot, const PixelLists& lists, const shared::PixelBand& band,
+                   std::uint32_t kBuffer);
 
   // Composites the lists of a band and blends them over the attachment.
   //   shortPixels   one uint: adds the pixels where the k-buffer was too small
@@ -41,6 +43,7 @@ class ApartPass {
     bool perspective;
     bool emissionPerLength;
     bool silhouette;
+    IntegrationVariant integration;
     std::uint32_t kBuffer;
     auto operator<=>(const StoreKey&) const = default;
   };

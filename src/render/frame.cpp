@@ -61,7 +61,8 @@ void drawInOrder(Frame& frame, const CellSequence& sequence, SlotSpan slots) {
     if (chunk) commands.prepareAttachment(*chunk);
     const bool clear = chunk || takeClear(frame, commands);
     frame.passes.raster.recordBatch(commands, frame.inputs.variant, frame.inputs.setup.raster, frame.inputs.transfer,
-                                    frame.storage.batches, chunk ? *chunk : frame.target.picture, clear);
+                                    frame.inputs.tables, frame.storage.batches, chunk ? *chunk : frame.target.picture,
+                                    clear);
     commands.barrier(kVertexRead | kColorWrite, kComputeWrite | kColorWrite);  // the next batch reuses the fans
     if (chunk) combineChunk(frame, *chunk);
   });
@@ -88,7 +89,8 @@ void drawApart(Frame& frame, const CellSequence& sequence, SlotSpan slots) {
       recordProject(frame, sequence, batch, isCounted);
       gpu::CommandBuffer& commands = frame.recorder.pass("apart");
       frame.passes.apart.recordStore(commands, frame.inputs.variant, frame.inputs.setup.raster, frame.inputs.transfer,
-                                     frame.storage.batches, batch.first, *lists, band, sequence.kBuffer);
+                                     frame.inputs.tables, frame.storage.batches, batch.first, *lists, band,
+                                     sequence.kBuffer);
       commands.barrier(kVertexRead | kFragmentReadWrite, kComputeWrite | kFragmentReadWrite);
     });
     isCounted = false;

@@ -51,6 +51,7 @@ struct FrameInputs {
   const gpu::Context& context;
   const GpuMesh& mesh;
   const TransferBuffer& transfer;
+  const IntegrationTables& tables;
   const FrameSetup& setup;
   FrameVariant variant;
   ImageSize size;

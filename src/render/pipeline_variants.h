@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gpu/pipeline.h"
+#include "render/integration/integration.h"
 
 namespace tetralux::render {
 
@@ -19,7 +20,8 @@ struct FrameVariant {
   bool wideAddressing = false;
   bool silhouette = false;
   bool emissionPerLength = false;
-  std::uint32_t output = 0;  // shared/target_output.h
+  std::uint32_t output = 0;        // shared/target_output.h
+  IntegrationVariant integration;  // of the shaders that draw segments; not in specConstants()
 
   gpu::SpecConstants specConstants() const;
 };

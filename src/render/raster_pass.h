@@ -4,6 +4,7 @@
 #include "gpu/commands.h"
 #include "render/batch.h"
 #include "render/frame_view.h"
+#include "render/integration/integration_tables.h"
 #include "render/pipeline_variants.h"
 #include "render/transfer_buffer.h"
 
@@ -15,8 +16,8 @@ class RasterPass {
 
   // Draws a batch, projected before, into the attachment.
   void recordBatch(gpu::CommandBuffer& commands, const FrameVariant& variant, const shared::RasterPush& push,
-                   const TransferBuffer& transfer, const BatchStorage& batches, const gpu::AttachmentImage& target,
-                   bool clear);
+                   const TransferBuffer& transfer, const IntegrationTables& tables, const BatchStorage& batches,
+                   const gpu::AttachmentImage& target, bool clear);
 
  private:
   const gpu::GraphicsPipeline& pipeline(const FrameVariant& variant, VkFormat format);
@@ -28,6 +29,7 @@ class RasterPass {
     bool perspective;
     bool emissionPerLength;
     bool silhouette;
+    IntegrationVariant integration;
     std::uint32_t output;
     VkFormat format;
     auto operator<=>(const Key&) const = default;

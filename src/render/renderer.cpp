@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/check.h"
+#include "base/error.h"
 #include "base/parallel.h"
 #include "mesh/adjacency.h"
 #include "mesh/cut_folds.h"
@@ -59,10 +60,37 @@ Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const Scala
 void Renderer::setTransferFunction(const TransferFunction& transfer) {
   transfer_ = std::make_unique<TransferBuffer>(context_, transfer, mesh_.space());
   choice_.reset();
+  // Psi does not depend on it.
+  if (built_ && built_->first != Integration::Ppi) built_.reset();
 }
 
-OrderReport Renderer::drawInto(gpu::Recorder& recorder, const Camera& camera, ImageSize size, std::uint32_t output,
-                               const FrameTarget& target, bool checkOrder) {
+void Renderer::checkMethod(const RenderOptions& options) const {
+  const auto refuse = [](const char* option, const char* found, const char* with, const char* expected) {
+    fail(ErrorCode::Usage, "{}: found '{}' with {}, expected {}", option, found, with, expected);
+  };
+  if (options.integration != Integration::Exact) {
+    const char* const name = integrationName(options.integration);
+    if (projection_ == CellProjection::March) refuse("--integration", name, "--projection march", "exact");
+    if (transfer_->emission() == Emission::PerLength) refuse("--integration", name, "emission per length", "exact");
+  }
+  if (options.interpolation == Interpolation::Screen && projection_ != CellProjection::Pt)
+    refuse("--interpolation", "screen", "a projection that interpolates nothing", "--projection pt");
+}
+
+void Renderer::prepareTables(const RenderOptions& options) {
+  if (!tables_) tables_ = std::make_unique<IntegrationTables>(context_);
+  const std::pair wanted{options.integration, options.table};
+  if (built_ == wanted) return;
+  built_.reset();
+  if (tableDimensions(options.integration) > 0 && options.integration != Integration::Ppi && !lengths_)
+    lengths_ = measureCellLengths(context_, mesh_, wideAddressing_);
+  tables_->build(options.integration, options.table, {*transfer_, lengths_.value_or(CellLengths{})});
+  built_ = wanted;
+}
+
+OrderReport Renderer::drawInto(gpu::Recorder& recorder, const Camera& camera, ImageSize size,
+                               const IntegrationVariant& integration, std::uint32_t output, const FrameTarget& target,
+                               bool checkOrder) {
   const FrameSetup setup =
       makeFrameSetup(camera, size, mesh_.space(), mesh_.cellCount(), transfer_->supportCount(), kCentroidKeyBits);
   gpu::upload(context_, marchPass_ ? marchStorage_->view() : storage_->view, &setup.view, sizeof setup.view);
@@ -74,8 +102,9 @@ OrderReport Renderer::drawInto(gpu::Recorder& recorder, const Camera& camera, Im
   variant.wideAddressing = wideAddressing_;
   variant.silhouette = projection_ == CellProjection::Silhouette;
   variant.emissionPerLength = transfer_->emission() == Emission::PerLength;
+  variant.integration = integration;
   variant.output = output;
-  const FrameInputs inputs{context_, mesh_, *transfer_, setup, variant, size, checkOrder};
+  const FrameInputs inputs{context_, mesh_, *transfer_, *tables_, setup, variant, size, checkOrder};
   if (!marchPass_) return drawFrame(recorder, inputs, *passes_, *order_, *storage_, target);
   marchFrame(recorder, inputs, *marchPass_, *marchStorage_, target.picture);
   OrderReport report;
@@ -83,8 +112,10 @@ OrderReport Renderer::drawInto(gpu::Recorder& recorder, const Camera& camera, Im
   return report;
 }
 
-Target Renderer::chooseTarget(const Camera& camera, ImageSize size, gpu::PassTiming timing, FrameStats& stats) {
-  if (choice_ && choice_->camera == camera && choice_->size == size) return choice_->target;
+Target Renderer::chooseTarget(const Camera& camera, ImageSize size, const IntegrationVariant& integration,
+                              gpu::PassTiming timing, FrameStats& stats) {
+  if (choice_ && choice_->camera == camera && choice_->size == size && choice_->integration == integration)
+    return choice_->target;
   // Nothing is blended: rays gather light in registers, and a pixel is rounded once.
   if (marchPass_) return halfFloatHolds(1.0, /*roundsToNearest=*/true) ? Target::Rgba16f : Target::Rgba32f;
   if (!roundsToNearest_) roundsToNearest_ = halfBlendingRoundsToNearest(context_);
@@ -93,11 +124,12 @@ Target Renderer::chooseTarget(const Camera& camera, ImageSize size, gpu::PassTim
   TargetImages images(context_);
   images.prepare(smaller, Target::Rgba32f);
   gpu::Recorder recorder(context_, timing);
-  drawInto(recorder, camera, smaller, *roundsToNearest_ ? shared::OUTPUT_ROUNDINGS : shared::OUTPUT_TRUNCATIONS,
-           {images.picture()}, /*checkOrder=*/false);
+  drawInto(recorder, camera, smaller, integration,
+           *roundsToNearest_ ? shared::OUTPUT_ROUNDINGS : shared::OUTPUT_TRUNCATIONS, {images.picture()},
+           /*checkOrder=*/false);
   double worst = 0.0;
   for (const glm::vec4& pixel : images.read().pixels) worst = std::max(worst, static_cast<double>(pixel.x));
-  choice_ = {camera, size, halfFloatHolds(worst, *roundsToNearest_) ? Target::Rgba16f : Target::Rgba32f};
+  choice_ = {camera, size, integration, halfFloatHolds(worst, *roundsToNearest_) ? Target::Rgba16f : Target::Rgba32f};
   stats.frameMs += recorder.totalMs();
   if (timing != gpu::PassTiming::Off) stats.passes.push_back({"measure", recorder.totalMs()});
   return choice_->target;
@@ -108,12 +140,16 @@ FrameStats Renderer::draw(const Camera& camera, ImageSize size, const RenderOpti
   const gpu::PassTiming timing = options.timed ? gpu::bestTiming(context_.info()) : gpu::PassTiming::Off;
   FrameStats stats;
   stats.projection = projection_;
-  stats.target = options.target == Target::Auto ? chooseTarget(camera, size, timing, stats) : options.target;
+  checkMethod(options);
+  prepareTables(options);
+  const IntegrationVariant integration{options.integration, options.interpolation, tables_->needsFetch()};
+  stats.target =
+      options.target == Target::Auto ? chooseTarget(camera, size, integration, timing, stats) : options.target;
   target_.prepare(size, stats.target);
   const FrameTarget target{target_.picture(), target_.chunk(), chunkCellCount(options.chunkCells, mesh_.cellCount())};
   const std::uint32_t output = stats.target == Target::Rgba8Dither ? shared::OUTPUT_DITHERED : shared::OUTPUT_COLOR;
   gpu::Recorder recorder(context_, timing);
-  stats.order = drawInto(recorder, camera, size, output, target, checkOrder_);
+  stats.order = drawInto(recorder, camera, size, integration, output, target, checkOrder_);
 
   shared::FrameCounters counters{};
   if (storage_) gpu::download(context_, storage_->counters, &counters, sizeof counters);
@@ -125,6 +161,9 @@ FrameStats Renderer::draw(const Camera& camera, ImageSize size, const RenderOpti
   stats.culledTransparent = counters.transparent;
   stats.passes.insert(stats.passes.end(), recorder.passTimes().begin(), recorder.passTimes().end());
   stats.frameMs += recorder.totalMs();
+  stats.integration = options.integration;
+  stats.interpolation = options.interpolation;
+  stats.tablesMs = tables_->buildMs();
   return stats;
 }
 
@@ -135,7 +174,7 @@ MemoryUse Renderer::memoryUse() const {
   use.meshBytes = mesh_.sizeBytes();
   use.frameBytes = (storage_ ? storage_->sizeBytes() : marchStorage_->sizeBytes()) + target_.sizeBytes();
   use.orderBytes = (order_ ? order_->sizeBytes() : 0) + (visibility_ ? visibility_->sizeBytes() : 0);
-  use.tableBytes = transfer_ ? transfer_->sizeBytes() : 0;
+  use.tableBytes = (transfer_ ? transfer_->sizeBytes() : 0) + (tables_ ? tables_->sizeBytes() : 0);
   return use;
 }
 

@@ -21,7 +21,10 @@ namespace tetralux::render {
 struct RenderOptions {
   Target target = Target::Rgba32f;
   std::uint32_t chunkCells = 0;  // of Target::Rgba16fChunked; 0: a 32nd of the mesh's cells (chunkCellCount)
-  bool timed = false;            // time every pass (costs a little)
+  Integration integration = Integration::Exact;
+  Interpolation interpolation = Interpolation::Perspective;
+  TableOptions table;
+  bool timed = false;  // time every pass (costs a little)
 };
 
 struct RendererOptions {
@@ -46,6 +49,9 @@ struct FrameStats {
   Target target = Target::Rgba32f;    // what was drawn into; never Auto
   CellProjection projection = CellProjection::Pt;
   OrderReport order;
+  Integration integration = Integration::Exact;
+  Interpolation interpolation = Interpolation::Perspective;
+  double tablesMs = 0.0;    // that building the method's table took, before this frame or an earlier one
   double frameMs = 0.0;     // device work until the picture is ready there
   double readbackMs = 0.0;  // picture to host memory
 };
@@ -67,7 +73,9 @@ class Renderer {
   // Colours and extinctions from now on. Cost does not depend on the mesh.
   void setTransferFunction(const TransferFunction& transfer);
 
-  // Draws a frame and leaves it on the device. Throws Error(Device). A transfer function must have been set.
+  // Draws a frame and leaves it on the device. Throws Error(Device), and Error(Usage) for a method of
+  // integration that cannot carry the transfer function's emission or the projection. A transfer function must have
+  // been set. A table that the method of integration needs is built before, when it is not that of the last frame.
   FrameStats draw(const Camera& camera, ImageSize size, const RenderOptions& options = {});
 
   // The last frame drawn. Sets `readbackMs` of its statistics, if given.
@@ -78,11 +86,17 @@ class Renderer {
   CellProjection projection() const { return projection_; }
 
  private:
-  OrderReport drawInto(gpu::Recorder& recorder, const Camera& camera, ImageSize size, std::uint32_t output,
-                       const FrameTarget& target, bool checkOrder);
+  // Throws Error(Usage) for a method that cannot carry the transfer function's emission or does not go with the
+  // projection.
+  void checkMethod(const RenderOptions& options) const;
+  void prepareTables(const RenderOptions& options);
+  OrderReport drawInto(gpu::Recorder& recorder, const Camera& camera, ImageSize size,
+                       const IntegrationVariant& integration, std::uint32_t output, const FrameTarget& target,
+                       bool checkOrder);
   // Target::Auto: draws a small frame that counts roundings and applies halfFloatHolds() to the worst of its pixels.
   // Adds what it took to the statistics, as pass "measure".
-  Target chooseTarget(const Camera& camera, ImageSize size, gpu::PassTiming timing, FrameStats& stats);
+  Target chooseTarget(const Camera& camera, ImageSize size, const IntegrationVariant& integration,
+                      gpu::PassTiming timing, FrameStats& stats);
 
   const gpu::Context& context_;
   GpuMesh mesh_;
@@ -98,12 +112,16 @@ class Renderer {
   std::unique_ptr<MarchPass> marchPass_;
   std::unique_ptr<MarchStorage> marchStorage_;
   std::unique_ptr<TransferBuffer> transfer_;
+  std::unique_ptr<IntegrationTables> tables_;                  // made for the first frame
+  std::optional<std::pair<Integration, TableOptions>> built_;  // what they hold for transfer_
+  std::optional<CellLengths> lengths_;
   TargetImages target_;
 
   // What Target::Auto became, and for which frame; forgotten with the transfer function.
   struct TargetChoice {
     Camera camera;
     ImageSize size;
+    IntegrationVariant integration;
     Target target;
   };
   std::optional<TargetChoice> choice_;

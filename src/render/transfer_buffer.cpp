@@ -132,6 +132,7 @@ TransferBuffer::TransferBuffer(const gpu::Context& context, const TransferFuncti
 TransferBuffer::TransferBuffer(const gpu::Context& context, const TransferTables& tables, Emission emission)
     : emission_(emission),
       supportCount_(static_cast<std::uint32_t>(tables.support.size())),
+      pieceTexels_(tables.pieces),
       pieceBuffer_(gpu::makeBuffer(context, tables.pieces, "transfer pieces")),
       binBuffer_(gpu::makeBuffer(context, tables.pieceBins, "transfer piece bins")),
       extinctionBuffer_(gpu::makeBuffer(context, tables.largestExtinction, "largest extinctions")),

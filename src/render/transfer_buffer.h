@@ -35,6 +35,8 @@ class TransferBuffer {
   const gpu::TexelView& support() const { return supportView_; }
   std::uint32_t supportCount() const { return supportCount_; }
   Emission emission() const { return emission_; }
+  // What pieces() holds, on the host: TRANSFER_PIECE_TEXELS per piece.
+  const std::vector<glm::vec4>& pieceTexels() const { return pieceTexels_; }
   std::uint64_t sizeBytes() const;
 
  private:
@@ -42,6 +44,7 @@ class TransferBuffer {
 
   Emission emission_;
   std::uint32_t supportCount_;
+  std::vector<glm::vec4> pieceTexels_;
   gpu::Buffer pieceBuffer_;
   gpu::Buffer binBuffer_;
   gpu::Buffer extinctionBuffer_;

@@ -104,6 +104,43 @@ TEST_F(Commands, StatisticsHaveTheirFixedKeys) {
   EXPECT_GT(stats["drawn_tets"].get<int>(), 0);
 }
 
+TEST_F(Commands, RenderIntegratesByTheMethodAskedFor) {
+  run({"render", "m.vtu", "--size", "32x32", "-o", "exact.exr", "--quiet"});
+  for (const char* method : {"vertex", "ppi", "preint3d-log"}) {
+    run({"render", "m.vtu", "--size", "32x32", "--integration", method, "--interpolation", "screen", "--table-size",
+         "16x16x4", "--table-format", "unorm8", "-o", "a.exr", "--stats", "s.json", "--validate", "--quiet"});
+    const json stats = json::parse(readTextFile(dir_ / "s.json"));
+    EXPECT_EQ(stats["integration"], method);
+    EXPECT_EQ(stats["interpolation"], "screen");
+    EXPECT_EQ(stats["ms"]["tables"].get<double>() > 0.0, std::string(method) != "vertex");
+    EXPECT_EQ(readExrAttribute(dir_ / "a.exr", "tetralux.integration"), method);
+    const double rmse = compareImages(readExr(dir_ / "exact.exr"), readExr(dir_ / "a.exr")).rmse;
+    EXPECT_GT(rmse, 1e-5) << method;
+    EXPECT_LT(rmse, 0.1) << method;
+  }
+}
+
+TEST_F(Commands, TableWritesEveryTable) {
+  run({"table", "psi", "-o", "psi.exr", "--quiet"});
+  const Image psi = readExr(dir_ / "psi.exr");
+  EXPECT_EQ(psi.width, 512u);
+  EXPECT_EQ(psi.height, 512u);
+  EXPECT_NEAR(psi.at(0, 0).x, 1.0f, 1e-5f);
+  EXPECT_EQ(psi.at(511, 511).x, 0.0f);
+  for (const char* kind : {"opacity2d", "preint2d"}) {
+    run({"table", kind, "--scene", "m.vtu", "--table-size", "16", "-o", "t.exr", "--quiet"});
+    EXPECT_EQ(readExr(dir_ / "t.exr").width, 16u) << kind;
+  }
+  for (const char* kind : {"preint3d", "preint3d-log"}) {
+    run({"table", kind, "--tf", "heat", "--length", "2", "--table-size", "16x8x5", "-o", "t.exr", "--quiet"});
+    const Image table = readExr(dir_ / "t.exr");
+    EXPECT_EQ(table.width, 16u * 5u) << kind;  // slices side by side, the first for no thickness
+    EXPECT_EQ(table.height, 8u) << kind;
+    EXPECT_EQ(table.at(8, 4).w, 0.0f) << kind;
+    EXPECT_GT(table.at(16 * 4 + 8, 4).w, table.at(16 * 3 + 8, 4).w) << kind;
+  }
+}
+
 TEST_F(Commands, CompareJudgesByItsLimits) {
   run({"render", "m.vtu", "--size", "32x32", "-o", "a.exr", "--quiet"});
   run({"render", "m.vtu", "--size", "32x32", "-o", "b.exr", "--tf", "heat", "--quiet"});

@@ -51,13 +51,16 @@ TEST(Usage, MissingArguments) {
   expectUsageError({"compare", "a.exr"}, "image is required");
   expectUsageError({"bench"}, "scenes is required");
   expectUsageError({"mesh", "demo"}, "--output is required");
-  expectUsageError({"info"}, "mesh is required");
+  expectUsageError({"info"}, "input is required");
+  expectUsageError({"table"}, "is required");
+  expectUsageError({"table", "psi"}, "--output is required");
+  expectUsageError({"table", "preint2d", "-o", "a.exr"}, "table preint2d: neither --scene nor --tf");
   expectUsageError({"render", "a.json", "-o"}, "--output");
   expectUsageError({"render", "a.json", "--size"}, "--size");
 }
 
 TEST(Usage, UnknownOptions) {
-  for (const char* command : {"render", "reference", "compare", "bench", "mesh", "info", "devices"})
+  for (const char* command : {"render", "reference", "compare", "bench", "mesh", "table", "info", "devices"})
     expectUsageError({command, "--no-such-option"}, command == std::string("devices") ? "no-such-option" : "");
 }
 
@@ -80,6 +83,12 @@ TEST(Usage, BadValues) {
                        "--opacity-scale: found '" + std::string(value) + "', expected a finite number > 0");
   }
   expectUsageError({"render", "a.vtu", "--exr-compression", "zap"}, "zap");
+  expectUsageError({"render", "a.vtu", "--integration", "guess"}, "--integration");
+  expectUsageError({"render", "a.vtu", "--interpolation", "none"}, "--interpolation");
+  expectUsageError({"render", "a.vtu", "--table-format", "f64"}, "--table-format");
+  expectUsageError({"render", "a.vtu", "--table-size", "1"}, "--table-size: found '1', expected N, NxM or NxMxL");
+  expectUsageError({"table", "preint4d", "-o", "a.exr"}, "preint4d");
+  expectUsageError({"table", "psi", "-o", "a.png"}, "expected a name that ends in .exr");
   expectUsageError({"reference", "a.json", "-o", "a.png"}, "expected a name that ends in .exr");
   expectUsageError({"mesh", "sphere", "-o", "a.vtu"}, "sphere");
   expectUsageError({"mesh", "box", "-o", "a.obj"}, "expected a name that ends in .vtu");

@@ -1,6 +1,7 @@
 // Whole frames of both emissions, and of scaled extinctions, against the double-precision picture.
 #include <cmath>
 
+#include "base/error.h"
 #include "gpu_fixture.h"
 #include "image/metrics.h"
 #include "mesh/generate.h"
@@ -92,6 +93,22 @@ TEST_F(GpuTest, EmissionPerLengthByEveryProjection) {
         EXPECT_LE(compareImages(pair.exact, pair.drawn).rmse, 5e-5) << projectionName(projection);
       }
     }
+  }
+}
+
+TEST_F(GpuTest, MethodsThatCannotCarryEmissionPerLengthRefuse) {
+  const TetMesh mesh = kuhnGrid(2, 2, 2, glm::dvec3(0), glm::dvec3(1), waveField);
+  Renderer renderer(context(), mesh, scalarField(mesh, "", "test"));
+  for (const std::string& name : integrationNames()) {
+    RenderOptions options;
+    options.integration = parseIntegration(name);
+    renderer.setTransferFunction(bands(Emission::PerExtinction));
+    EXPECT_NO_THROW(renderer.draw(cameras()[0], kSize, options)) << name;
+    renderer.setTransferFunction(bands(Emission::PerLength));
+    if (name == "exact")
+      EXPECT_NO_THROW(renderer.draw(cameras()[0], kSize, options));
+    else
+      EXPECT_THROW(renderer.draw(cameras()[0], kSize, options), Error) << name;
   }
 }
 

@@ -1,77 +1,22 @@
-// include/integrate.glsl against the double-precision integral, segment by segment.
+// include/integration/exact.glsl against the double-precision integral, segment by segment.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
-#include "base/check.h"
 #include "gpu_fixture.h"
 #include "reference/segment_integral.h"
-#include "render/transfer_buffer.h"
-#include "shared/spec_ids.h"
-#include "test_modules.h"
+#include "segments.h"
 
 namespace tetralux::render {
 namespace {
 
 using test::GpuTest;
-
-// A scalar range of [0, 1] and mesh units that are world units.
-MeshSpace unitSpace() {
-  MeshSpace space;
-  space.scalarCenter = 0.5;
-  return space;
-}
-
-struct Segment {
-  double front, back, length;
-};
-
-std::vector<glm::vec4> integrateOnDevice(const gpu::Context& context, const TransferFunction& transfer,
-                                         const std::vector<Segment>& segments) {
-  const MeshSpace space = unitSpace();
-  const TransferBuffer tables(context, transfer, space);
-  std::vector<glm::vec4> input;
-  for (const Segment& s : segments)
-    input.emplace_back(space.scalar(s.front), space.scalar(s.back), static_cast<float>(s.length), 0.0f);
-  const gpu::Buffer in = gpu::makeBuffer(context, input, "segments");
-  const gpu::Buffer out = gpu::makeBuffer(context, std::vector<glm::vec4>(segments.size()), "results");
-  const EmbeddedFile* file = findEmbedded(test_modules::files(), "test/integrate.comp.spv");
-  CHECK(file != nullptr);
-  const gpu::Shader shader(context, "test/integrate.comp",
-                           {reinterpret_cast<const std::uint32_t*>(file->data), file->sizeBytes / 4});
-  const gpu::ComputePipeline pipeline(context, shader,
-                                      {{SPEC_EMISSION_PER_LENGTH, transfer.emission() == Emission::PerLength}});
-  test::runCommands(context, [&](gpu::CommandBuffer& commands) {
-    commands.dispatch(pipeline, {tables.pieces(), tables.pieceBins(), in, out},
-                      static_cast<std::uint32_t>(segments.size()), segments.size());
-  });
-  return gpu::downloadVector<glm::vec4>(context, out, segments.size());
-}
-
-// Largest difference over channels; scalars are rounded to single precision first, as the device gets them.
-double largestError(const gpu::Context& context, const TransferFunction& transfer,
-                    const std::vector<Segment>& segments) {
-  const auto found = integrateOnDevice(context, transfer, segments);
-  const MeshSpace space = unitSpace();
-  double worst = 0.0;
-  for (size_t i = 0; i < segments.size(); i++) {
-    const auto rounded = [&](double s) {
-      return static_cast<double>(space.scalar(s)) * space.scalarRange + space.scalarCenter;
-    };
-    const SegmentOptics expected =
-        reference::integrateSegment(transfer, rounded(segments[i].front), rounded(segments[i].back),
-                                    static_cast<double>(static_cast<float>(segments[i].length)));
-    for (int c = 0; c < 4; c++) {
-      const double want = c < 3 ? expected.light[c] : expected.alpha;
-      const double difference = std::abs(want - static_cast<double>(found[i][c]));
-      EXPECT_TRUE(std::isfinite(difference))
-          << segments[i].front << " " << segments[i].back << " " << segments[i].length;
-      worst = std::max(worst, difference);
-    }
-  }
-  return worst;
-}
+using test::integrateOnDevice;
+using test::largestError;
+using test::Segment;
+using test::unitSpace;
 
 const TransferFunction& ramp() {
   static const TransferFunction transfer({{0, {1, 0, 0.5}, 0}, {1, {0, 1, 0.5}, 1}}, "ramp");

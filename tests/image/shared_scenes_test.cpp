@@ -1,6 +1,9 @@
 // Pictures of the shared scenes, as they are drawn by default, against their exact images.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "gpu_fixture.h"
 #include "image/image_io.h"
 #include "image/metrics.h"
@@ -48,6 +51,33 @@ TEST_P(SharedScenes, AreDrawnAsSilhouettesWithinTheirLimit) {
   RendererOptions options;
   options.projection = CellProjection::Silhouette;
   expectExact(context(), name, options);
+}
+
+// Small pictures: whether every method copes with the scene's cells, not how well.
+TEST_P(SharedScenes, AreDrawnByEveryMethodWithoutANonFiniteValue) {
+  const std::string name = GetParam();
+  REQUIRE_SHARED("scenes/" + name + ".json");
+  const Scene scene = readScene(test::sharedPath("scenes/" + name + ".json"));
+  const TetMesh mesh = readMesh(scene.meshPath);
+  Renderer renderer(context(), mesh, scalarField(mesh, scene.fieldName, name));
+  renderer.setTransferFunction(scene.transferFunction);
+  for (const std::string& method : integrationNames()) {
+    for (const Interpolation interpolation : {Interpolation::Perspective, Interpolation::Screen}) {
+      RenderOptions options;
+      options.integration = parseIntegration(method);
+      options.interpolation = interpolation;
+      renderer.draw(scene.camera, {96, 96}, options);
+      const Image image = renderer.readImage();
+      float largest = 0.0f;
+      for (const glm::vec4& pixel : image.pixels) {
+        ASSERT_TRUE(std::isfinite(pixel.x + pixel.y + pixel.z + pixel.w)) << method;
+        ASSERT_GE(std::min({pixel.x, pixel.y, pixel.z, pixel.w}), 0.0f) << method;
+        ASSERT_LE(pixel.w, 1.0f + 1e-6f) << method;
+        largest = std::max(largest, pixel.w);
+      }
+      EXPECT_GT(largest, 0.01f) << method;
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SharedScenes,
