@@ -1,15 +1,23 @@
-// A ray's segment inside one cell, from what raster/fan.vert hands on.
+// A ray's segment inside one cell, from what include/fan_vertex.glsl hands on.
 //
-// Before including: CELL_PLANES is a binding number; shared/raster_push.h; what include/integrate.glsl wants, for all methods.
+// Before including: shared/cell_push.h; what include/integrate.glsl wants, for all methods. CELL_PLANES is a binding number, or
+// CELL_PLANES_FLAT is defined: then the planes come with the vertices (raster/gator.vert).
 #include "shared/integration.h"
 
 layout(constant_id = SPEC_PERSPECTIVE) const bool kPerspective = true;
 layout(constant_id = SPEC_SILHOUETTE) const bool kSilhouette = false;  // all cells are clipped
 layout(constant_id = SPEC_INTERPOLATION) const uint kInterpolation = INTERPOLATION_PERSPECTIVE;
 
-layout(binding = CELL_PLANES) uniform samplerBuffer cellPlanes;  // of clipped cells: FAN_VERTICES per slot
+// Of clipped cells (include/project_cell.glsl): FAN_VERTICES per slot.
+#ifdef CELL_PLANES_FLAT
+layout(location = 3) flat in vec4 flatPlanes[FAN_VERTICES];
+vec4 cellPlane(int slot, int i) { return flatPlanes[i]; }
+#else
+layout(binding = CELL_PLANES) uniform samplerBuffer cellPlanes;
+vec4 cellPlane(int slot, int i) { return texelFetch(cellPlanes, slot * int(FAN_VERTICES) + i); }
+#endif
 
-// What project/project.comp gives a vertex. Under INTERPOLATION_SCREEN: depth and scalar of the front end, length of the segment,
+// What include/project_cell.glsl gives a vertex. Under INTERPOLATION_SCREEN: depth and scalar of the front end, length of the segment,
 // scalar of the back end. Under INTEGRATION_VERTEX: colour and opacity.
 layout(location = 0) in vec4 fanEnds;
 // Of the fan's centre: q of its front end, and the largest q difference; in the two other cases depth and length.
@@ -50,11 +58,11 @@ Segment fanSegment(vec2 screen) {
   return Segment(fanEnds.y * depthFront, fanEnds.w * depthBack, depthFront, dq * depthFront * depthBack);
 }
 
-// From a clipped cell's planes (project/project.comp): the ray, origin + depth * direction, clipped against the four faces and
+// From a clipped cell's planes (include/project_cell.glsl): the ray, origin + depth * direction, clipped against the four faces and
 // the eye's plane. Depths are relative to that of vertex 0.
 Segment clippedSegment(int slot, vec3 origin, vec3 direction) {
   vec4 plane[4];
-  for (int i = 0; i < 4; i++) plane[i] = texelFetch(cellPlanes, slot * int(FAN_VERTICES) + i);
+  for (int i = 0; i < 4; i++) plane[i] = cellPlane(slot, i);
   const vec3 vertex0 = vec3(plane[1].w, plane[2].w, plane[3].w);
   const vec3 start = origin + direction * vertex0.z - vertex0;
   float front = -vertex0.z;
@@ -70,7 +78,7 @@ Segment clippedSegment(int slot, vec3 origin, vec3 direction) {
     if (slope[i] == 0.0 && offset[i] <= 0.0) back = -1e30;
   }
   // The scalar as a convex combination of the vertices' values: it stays in their range whatever the rounding.
-  const vec4 scalar = texelFetch(cellPlanes, slot * int(FAN_VERTICES) + 4);
+  const vec4 scalar = cellPlane(slot, 4);
   const vec4 weightFront = max(offset + slope * front, vec4(0.0));
   const vec4 weightBack = max(offset + slope * back, vec4(0.0));
   return Segment(dot(weightFront, scalar) / max(dot(weightFront, vec4(1.0)), 1e-37),
@@ -88,8 +96,8 @@ Segment fragmentSegment(vec2 screen) {
   return segment;
 }
 
-vec2 screenOf(vec4 fragCoord, RasterPush push) {
-  return vec2(fragCoord.x - push.halfSize.x, push.halfSize.y - fragCoord.y) * push.unitsPerPixel;
+vec2 screenOf(vec4 fragCoord, ScreenScale scale) {
+  return vec2(fragCoord.x - scale.halfSize.x, scale.halfSize.y - fragCoord.y) * scale.unitsPerPixel;
 }
 
 // Light, premultiplied, and opacity of this fragment's segment.

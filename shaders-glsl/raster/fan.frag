@@ -5,7 +5,7 @@
 
 #include "shared/limits.h"
 #include "shared/clipped_cells.h"
-#include "shared/raster_push.h"
+#include "shared/cell_push.h"
 #include "shared/spec_ids.h"
 #include "shared/target_output.h"
 
@@ -18,12 +18,12 @@
 #include "include/fan_segment.glsl"
 #include "include/target_output.glsl"
 
-layout(push_constant, scalar) uniform Push { RasterPush push; };
+layout(push_constant, scalar) uniform Push { CellPush push; };
 
 layout(location = 0) out vec4 color;  // premultiplied light, opacity; or what kOutput says
 
 void main() {
-  const vec2 screen = screenOf(gl_FragCoord, push);
+  const vec2 screen = screenOf(gl_FragCoord, push.scale);
   const vec4 layer = fragmentColor(fragmentSegment(screen), screen);
   color = targetOutput(layer, uvec2(gl_FragCoord.xy), uint(fanCell >> 1));
 }

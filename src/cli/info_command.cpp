@@ -31,7 +31,8 @@ class InfoCommand : public Command {
     // Without a view there need not be a field to draw.
     LoadedScene loaded;
     if (orders_ && deviceOptions_.projection == "march")
-      fail(ErrorCode::Usage, "--orders: found '--projection march', expected pt or silhouette: rays need no order");
+      fail(ErrorCode::Usage,
+           "--orders: found '--projection march', expected pt, silhouette or gator: rays need no order");
     if (orders_)
       loaded = loadScene(input_, sceneOptions_);
     else

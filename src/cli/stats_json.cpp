@@ -83,7 +83,8 @@ nlohmann::ordered_json statsJson(const LoadedScene& loaded, const gpu::DeviceInf
   json["tets"] = loaded.mesh.cellCount();
   json["points"] = loaded.mesh.pointCount();
   json["drawn_tets"] = last.drawnCells;
-  json["clipped_tets"] = last.clippedCells;
+  json["clipped_tets"] =
+      last.clippedCells ? nlohmann::ordered_json(*last.clippedCells) : nlohmann::ordered_json(nullptr);
   json["triangles"] = last.triangles;
   json["culled"] = {
       {"no_sample", last.culledNoSample}, {"transparent", last.culledTransparent}, {"outside", last.culledOutside}};

@@ -134,11 +134,12 @@ void CommandBuffer::setArea(std::uint32_t width, std::uint32_t height, Rows rows
 
 void CommandBuffer::endRendering() { vkCmdEndRendering(commands_); }
 
-void CommandBuffer::bindVertices(std::initializer_list<const Buffer*> streams, const Buffer& indices) {
+void CommandBuffer::bindVertices(std::span<const Buffer* const> streams, const Buffer& indices) {
   std::vector<VkBuffer> buffers;
   for (const Buffer* stream : streams) buffers.push_back(stream->get());
   const std::vector<VkDeviceSize> offsets(buffers.size(), 0);
-  vkCmdBindVertexBuffers(commands_, 0, static_cast<std::uint32_t>(buffers.size()), buffers.data(), offsets.data());
+  if (!buffers.empty())
+    vkCmdBindVertexBuffers(commands_, 0, static_cast<std::uint32_t>(buffers.size()), buffers.data(), offsets.data());
   vkCmdBindIndexBuffer(commands_, indices.get(), 0, VK_INDEX_TYPE_UINT32);
 }
 

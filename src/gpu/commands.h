@@ -112,9 +112,9 @@ class CommandBuffer {
     vkCmdDraw(commands_, vertexCount, 1, 0, 0);
   }
   template <typename Push>
-  void drawIndexedIndirect(const GraphicsPipeline& pipeline, std::initializer_list<Descriptor> descriptors,
-                           const Push& push, std::initializer_list<const Buffer*> vertexStreams, const Buffer& indices,
-                           const Buffer& arguments, std::uint64_t offsetBytes) {
+  void drawIndexedIndirect(const GraphicsPipeline& pipeline, std::span<const Descriptor> descriptors, const Push& push,
+                           std::span<const Buffer* const> vertexStreams, const Buffer& indices, const Buffer& arguments,
+                           std::uint64_t offsetBytes) {
     bind(VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.get(), pipeline.layout(), descriptors, &push, sizeof push);
     bindVertices(vertexStreams, indices);
     vkCmdDrawIndexedIndirect(commands_, arguments.get(), offsetBytes, 1, 0);
@@ -146,7 +146,7 @@ class CommandBuffer {
     bind(point, pipeline, layout, std::span(descriptors.begin(), descriptors.size()), push, pushBytes);
   }
   void dispatchGroups(const ComputePipeline& pipeline, std::uint64_t threads);
-  void bindVertices(std::initializer_list<const Buffer*> streams, const Buffer& indices);
+  void bindVertices(std::span<const Buffer* const> streams, const Buffer& indices);
   void setArea(std::uint32_t width, std::uint32_t height, Rows rows);
   void imageBarrier(VkImage image, VkImageLayout from, VkImageLayout to, const Access& before, const Access& after);
 

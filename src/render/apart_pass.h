@@ -1,12 +1,8 @@
 // Pass "apart": cells whose order differs from pixel to pixel, composited by a list of segments per pixel.
 #pragma once
 
-#include "render/batch.h"
-#include "render/frame_view.h"
-#include "render/integration/integration_tables.h"
-#include "render/pipeline_variants.h"
+#include "render/cell_draw.h"
 #include "render/pixel_lists.h"
-#include "render/transfer_buffer.h"
 
 namespace tetralux::render {
 
@@ -14,13 +10,10 @@ class ApartPass {
  public:
   explicit ApartPass(const gpu::Context& context);
 
-  // Draws a projected batch into the lists of a band.
-  //   firstSlot   of the batch
-  //   kBuffer     0: lists will be sorted by depth; otherwise they go through a k-buffer in drawing order
-  void recordStore(gpu::CommandBuffer& commands, const FrameVariant& variant, const shared::RasterPush& push,
-                   const TransferBuffer& transfer, const IntegrationTables& tables, const BatchStorage& batches,
-                   std::uint32_t firstSlot, const PixelLists& lists, const shared::PixelBand& band,
-                   std::uint32_t kBuffer);
+  // Draws a batch into the lists of the band that it names. They will be sorted by depth, or go through the k-buffer of
+  // its sequence in drawing order.
+  void recordStore(gpu::CommandBuffer& commands, const FrameVariant& variant, const CellBatch& batch,
+                   const PixelLists& lists);
 
   // Composites the lists of a band and blends them over the attachment.
   //   shortPixels   one uint: adds the pixels where the k-buffer was too small
@@ -30,24 +23,13 @@ class ApartPass {
                    const shared::PixelBand& band, const gpu::AttachmentImage& target, bool clear);
 
  private:
-  const gpu::GraphicsPipeline& storePipeline(const FrameVariant& variant, std::uint32_t kBuffer);
   const gpu::GraphicsPipeline& blendPipeline(std::uint32_t output, VkFormat format);
 
   const gpu::Context& context_;
-  gpu::Shader fanVertex_;
-  gpu::Shader storeFragment_;
+  CellDraw store_;
   gpu::Shader blendVertex_;
   gpu::Shader blendFragment_;
   ComputeVariants resolve_;
-  struct StoreKey {
-    bool perspective;
-    bool emissionPerLength;
-    bool silhouette;
-    IntegrationVariant integration;
-    std::uint32_t kBuffer;
-    auto operator<=>(const StoreKey&) const = default;
-  };
-  std::map<StoreKey, gpu::GraphicsPipeline> store_;
   std::map<std::pair<std::uint32_t, VkFormat>, gpu::GraphicsPipeline> blend_;
 };
 

@@ -26,14 +26,15 @@ std::vector<std::uint32_t> cellIndices(std::uint32_t cells, bool outlines) {
 
 }  // namespace
 
-BatchStorage::BatchStorage(const gpu::Context& context, std::uint32_t cellCount, bool outlines) {
+BatchStorage::BatchStorage(const gpu::Context& context, std::uint32_t cellCount, CellProjection projection) {
   const std::uint32_t cells = std::min(cellCount, shared::BATCH_CELLS);
   const std::uint64_t vertices = std::uint64_t{cells} * shared::FAN_VERTICES;
   arguments = gpu::Buffer(context, sizeof(shared::BatchArguments), MemoryKind::Device, "batch arguments");
+  indices = gpu::makeBuffer(context, cellIndices(cells, projection == CellProjection::Silhouette), "cell indices");
+  if (projection == CellProjection::Gator) return;
   positions = gpu::Buffer(context, vertices * 8, MemoryKind::Device, "fan positions");
   ends = gpu::Buffer(context, vertices * 16, MemoryKind::Device, "fan ends");
   modes = gpu::Buffer(context, std::uint64_t{cells} * 4, MemoryKind::Device, "cell modes");
-  indices = gpu::makeBuffer(context, cellIndices(cells, outlines), "cell indices");
   endsView = gpu::TexelView(context, ends, VK_FORMAT_R32G32B32A32_SFLOAT);
   modesView = gpu::TexelView(context, modes, VK_FORMAT_R32_UINT);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gpu/buffer.h"
+#include "render/projection.h"
 #include "shared/batch_arguments.h"
 #include "shared/limits.h"
 
@@ -9,6 +10,7 @@ namespace tetralux::render {
 
 struct BatchStorage {
   gpu::Buffer arguments;  // BatchArguments
+  // What cells are projected to; none of them for CellProjection::Gator.
   gpu::Buffer positions;  // vec2 ndc, FAN_VERTICES per cell
   gpu::Buffer ends;       // vec4, FAN_VERTICES per cell
   gpu::Buffer modes;      // uint per cell
@@ -16,8 +18,8 @@ struct BatchStorage {
   gpu::TexelView endsView;
   gpu::TexelView modesView;
 
-  //   outlines   the pattern is the ring (OUTLINE_INDICES), otherwise the fan (FAN_INDICES)
-  BatchStorage(const gpu::Context& context, std::uint32_t cellCount, bool outlines = false);
+  // The pattern is the ring (OUTLINE_INDICES) for CellProjection::Silhouette, otherwise the fan (FAN_INDICES).
+  BatchStorage(const gpu::Context& context, std::uint32_t cellCount, CellProjection projection = CellProjection::Pt);
   std::uint64_t sizeBytes() const;
 };
 

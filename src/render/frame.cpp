@@ -37,10 +37,31 @@ void forEachBatch(SlotSpan slots, std::uint32_t cells, const Draw& draw) {
 }
 
 void recordProject(Frame& frame, const CellSequence& sequence, SlotSpan batch, bool isCounted) {
-  gpu::CommandBuffer& commands = frame.recorder.pass("project");
-  frame.passes.project.recordBatch(commands, frame.inputs.variant, frame.inputs.mesh, frame.inputs.transfer,
-                                   frame.storage.view, sequence, batch, frame.storage.counters, frame.storage.batches,
-                                   isCounted);
+  ProjectPass& project = frame.passes.project;
+  const FrameInputs& inputs = frame.inputs;
+  if (inputs.variant.gator) {
+    // project: nothing but the number of cells; the vertex shader does it
+    project.recordArguments(frame.recorder.pass("raster"), inputs.variant, sequence, batch, frame.storage.counters,
+                            frame.storage.batches);
+    return;
+  }
+  project.recordBatch(frame.recorder.pass("project"), inputs.variant, inputs.mesh, inputs.transfer,
+                      frame.passes.truthTable, frame.storage.view, sequence, batch, frame.storage.counters,
+                      frame.storage.batches, isCounted);
+}
+
+// What is drawn of a batch.
+CellBatch cellBatch(const Frame& frame, const CellSequence& sequence, SlotSpan batch,
+                    const shared::PixelBand& band = {}) {
+  const FrameInputs& inputs = frame.inputs;
+  return {inputs.mesh,
+          inputs.transfer,
+          inputs.tables,
+          frame.storage.view,
+          frame.passes.truthTable,
+          sequence,
+          frame.storage.batches,
+          {inputs.setup.screen, band, batch.first}};
 }
 
 // combine: a chunk over what lies behind
@@ -60,9 +81,8 @@ void drawInOrder(Frame& frame, const CellSequence& sequence, SlotSpan slots) {
     gpu::CommandBuffer& commands = frame.recorder.pass("raster");
     if (chunk) commands.prepareAttachment(*chunk);
     const bool clear = chunk || takeClear(frame, commands);
-    frame.passes.raster.recordBatch(commands, frame.inputs.variant, frame.inputs.setup.raster, frame.inputs.transfer,
-                                    frame.inputs.tables, frame.storage.batches, chunk ? *chunk : frame.target.picture,
-                                    clear);
+    frame.passes.raster.recordBatch(commands, frame.inputs.variant, cellBatch(frame, sequence, batch),
+                                    chunk ? *chunk : frame.target.picture, clear);
     commands.barrier(kVertexRead | kColorWrite, kComputeWrite | kColorWrite);  // the next batch reuses the fans
     if (chunk) combineChunk(frame, *chunk);
   });
@@ -88,9 +108,7 @@ void drawApart(Frame& frame, const CellSequence& sequence, SlotSpan slots) {
     forEachBatch(slots, shared::BATCH_CELLS, [&](SlotSpan batch) {
       recordProject(frame, sequence, batch, isCounted);
       gpu::CommandBuffer& commands = frame.recorder.pass("apart");
-      frame.passes.apart.recordStore(commands, frame.inputs.variant, frame.inputs.setup.raster, frame.inputs.transfer,
-                                     frame.inputs.tables, frame.storage.batches, batch.first, *lists, band,
-                                     sequence.kBuffer);
+      frame.passes.apart.recordStore(commands, frame.inputs.variant, cellBatch(frame, sequence, batch, band), *lists);
       commands.barrier(kVertexRead | kFragmentReadWrite, kComputeWrite | kFragmentReadWrite);
     });
     isCounted = false;
@@ -124,9 +142,10 @@ void untilThrough(gpu::Recorder& recorder, const FrameInputs& inputs, const Marc
 
 }  // namespace
 
-FrameStorage::FrameStorage(const gpu::Context& context, std::uint32_t cellCount, SortVariant sortVariant, bool outlines)
+FrameStorage::FrameStorage(const gpu::Context& context, std::uint32_t cellCount, SortVariant sortVariant,
+                           CellProjection projection)
     : sort(context, cellCount, sortVariant),
-      batches(context, cellCount, outlines),
+      batches(context, cellCount, projection),
       view(context, sizeof(shared::FrameView), gpu::MemoryKind::Device, "frame view"),
       counters(context, sizeof(shared::FrameCounters), gpu::MemoryKind::Device, "frame counters"),
       shortPixels(context, sizeof(std::uint32_t), gpu::MemoryKind::Device, "short pixels") {}
@@ -137,7 +156,7 @@ std::uint64_t FrameStorage::sizeBytes() const {
 }
 
 FramePasses::FramePasses(const gpu::Context& context)
-    : cull(context), project(context), raster(context), combine(context), apart(context) {}
+    : truthTable(context), cull(context), project(context), raster(context), combine(context), apart(context) {}
 
 OrderReport drawFrame(gpu::Recorder& recorder, const FrameInputs& inputs, FramePasses& passes, CellOrder& order,
                       FrameStorage& storage, const FrameTarget& target) {

@@ -30,13 +30,14 @@ struct FrameStorage {
   gpu::Buffer shortPixels;            // one uint
   std::unique_ptr<PixelLists> lists;  // made when cells are composited apart
 
-  //   outlines   as BatchStorage
-  FrameStorage(const gpu::Context& context, std::uint32_t cellCount, SortVariant sortVariant, bool outlines = false);
+  FrameStorage(const gpu::Context& context, std::uint32_t cellCount, SortVariant sortVariant,
+               CellProjection projection = CellProjection::Pt);
   std::uint64_t sizeBytes() const;
 };
 
 // The passes, in no order.
 struct FramePasses {
+  GpuTruthTable truthTable;
   CullPass cull;
   ProjectPass project;
   RasterPass raster;

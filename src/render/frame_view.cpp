@@ -71,8 +71,8 @@ FrameSetup makeFrameSetup(const Camera& camera, ImageSize size, const MeshSpace&
   constexpr double kRatio = 1.1 * static_cast<double>(shared::NEAR_DEPTH_RATIO);
   setup.nearCells = depth.low < depth.high * (setup.perspective ? kRatio : 1e-6);
 
-  setup.raster.halfSize = view.halfSize;
-  setup.raster.unitsPerPixel = static_cast<float>(1.0 / pixelsPerUnit);
+  setup.screen.halfSize = view.halfSize;
+  setup.screen.unitsPerPixel = static_cast<float>(1.0 / pixelsPerUnit);
   return setup;
 }
 

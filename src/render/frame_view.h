@@ -3,14 +3,14 @@
 
 #include "render/mesh_space.h"
 #include "shared/frame_view.h"
-#include "shared/raster_push.h"
+#include "shared/cell_push.h"
 #include "view/camera.h"
 
 namespace tetralux::render {
 
 struct FrameSetup {
   shared::FrameView view;
-  shared::RasterPush raster;
+  shared::ScreenScale screen;
   bool perspective = true;
   // Cells may reach or come close to the eye's plane: the shaders' near-cell path is needed.
   bool nearCells = false;

@@ -19,6 +19,7 @@ struct FrameVariant {
   bool nearCells = false;
   bool wideAddressing = false;
   bool silhouette = false;
+  bool gator = false;
   bool emissionPerLength = false;
   std::uint32_t output = 0;        // shared/target_output.h
   IntegrationVariant integration;  // of the shaders that draw segments; not in specConstants()

@@ -1,6 +1,5 @@
 #include "render/project_pass.h"
 
-#include "render/truth_table.h"
 #include "shared/spec_ids.h"
 
 namespace tetralux::render {
@@ -14,31 +13,30 @@ struct ProjectPush {
   std::uint32_t isCounted;
 };
 
-std::vector<std::uint32_t> truthTableWords() {
-  const auto table = makeTruthTable();
-  return {table.begin(), table.end()};
-}
-
 }  // namespace
 
 ProjectPass::ProjectPass(const gpu::Context& context)
-    : arguments_(context, "project/batch.comp"),
-      project_(context, "project/project.comp"),
-      truthTable_(gpu::makeBuffer(context, truthTableWords(), "truth table")),
-      truthTableView_(context, truthTable_, VK_FORMAT_R32_UINT) {}
+    : arguments_(context, "project/batch.comp"), project_(context, "project/project.comp") {}
 
-void ProjectPass::recordBatch(gpu::CommandBuffer& commands, const FrameVariant& variant, const GpuMesh& mesh,
-                              const TransferBuffer& transfer, const gpu::Buffer& view, const CellSequence& sequence,
-                              SlotSpan slots, const gpu::Buffer& counters, const BatchStorage& batches,
-                              bool isCounted) {
+void ProjectPass::recordArguments(gpu::CommandBuffer& commands, const FrameVariant& variant,
+                                  const CellSequence& sequence, SlotSpan slots, const gpu::Buffer& counters,
+                                  const BatchStorage& batches) {
   using namespace gpu::access;
   commands.dispatch(arguments_.get({{SPEC_SILHOUETTE, variant.silhouette}}),
                     {*sequence.kept, counters, batches.arguments}, slots, 1);
-  commands.barrier(kComputeWrite, kIndirectRead | kComputeReadWrite);
+  commands.barrier(kComputeWrite, kIndirectRead | kComputeReadWrite | kVertexRead);
+}
+
+void ProjectPass::recordBatch(gpu::CommandBuffer& commands, const FrameVariant& variant, const GpuMesh& mesh,
+                              const TransferBuffer& transfer, const GpuTruthTable& truthTable, const gpu::Buffer& view,
+                              const CellSequence& sequence, SlotSpan slots, const gpu::Buffer& counters,
+                              const BatchStorage& batches, bool isCounted) {
+  using namespace gpu::access;
+  recordArguments(commands, variant, sequence, slots, counters, batches);
   const ProjectPush push{mesh.addresses(), sequence.order->address(), slots.first, slots.end, isCounted};
   commands.dispatchIndirect(
       project_.get(variant.specConstants()),
-      {view, mesh.cells(), mesh.vertices(), mesh.cellScalars(), truthTableView_, *sequence.orderView, counters,
+      {view, mesh.cells(), mesh.vertices(), mesh.cellScalars(), truthTable.view, *sequence.orderView, counters,
        batches.positions, batches.ends, batches.modes, transfer.largestExtinction()},
       push, batches.arguments, offsetof(shared::BatchArguments, groupsX));
   commands.barrier(kComputeWrite, kVertexRead | kComputeReadWrite);

@@ -9,7 +9,7 @@
 namespace tetralux::render {
 
 const std::vector<std::string>& projectionNames() {
-  static const std::vector<std::string> names = {"pt", "silhouette", "march"};
+  static const std::vector<std::string> names = {"pt", "silhouette", "gator", "march"};
   return names;
 }
 

@@ -46,8 +46,7 @@ Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const Scala
     return;
   }
   passes_ = std::make_unique<FramePasses>(context);
-  storage_ = std::make_unique<FrameStorage>(context, mesh_.cellCount(), sortVariant(context, options),
-                                            projection_ == CellProjection::Silhouette);
+  storage_ = std::make_unique<FrameStorage>(context, mesh_.cellCount(), sortVariant(context, options), projection_);
   std::optional<Adjacency> adjacency;
   if (options.checkOrder || needsVisibility(options.order)) {
     adjacency = makeAdjacency(mesh);
@@ -73,8 +72,9 @@ void Renderer::checkMethod(const RenderOptions& options) const {
     if (projection_ == CellProjection::March) refuse("--integration", name, "--projection march", "exact");
     if (transfer_->emission() == Emission::PerLength) refuse("--integration", name, "emission per length", "exact");
   }
-  if (options.interpolation == Interpolation::Screen && projection_ != CellProjection::Pt)
-    refuse("--interpolation", "screen", "a projection that interpolates nothing", "--projection pt");
+  if (options.interpolation == Interpolation::Screen &&
+      (projection_ == CellProjection::Silhouette || projection_ == CellProjection::March))
+    refuse("--interpolation", "screen", "a projection that interpolates nothing", "--projection pt or gator");
 }
 
 void Renderer::prepareTables(const RenderOptions& options) {
@@ -101,6 +101,7 @@ OrderReport Renderer::drawInto(gpu::Recorder& recorder, const Camera& camera, Im
   variant.nearCells = setup.nearCells;
   variant.wideAddressing = wideAddressing_;
   variant.silhouette = projection_ == CellProjection::Silhouette;
+  variant.gator = projection_ == CellProjection::Gator;
   variant.emissionPerLength = transfer_->emission() == Emission::PerLength;
   variant.integration = integration;
   variant.output = output;
@@ -156,6 +157,10 @@ FrameStats Renderer::draw(const Camera& camera, ImageSize size, const RenderOpti
   stats.drawnCells = counters.drawn;
   stats.triangles = counters.triangles;
   stats.clippedCells = counters.clipped;
+  if (projection_ == CellProjection::Gator) {
+    stats.triangles = std::uint64_t{counters.drawn} * (shared::FAN_INDICES / 3);
+    stats.clippedCells.reset();
+  }
   stats.culledOutside = counters.outside;
   stats.culledNoSample = counters.noSample;
   stats.culledTransparent = counters.transparent;

@@ -40,8 +40,9 @@ struct RendererOptions {
 
 struct FrameStats {
   std::uint64_t drawnCells = 0;
-  std::uint64_t triangles = 0;
-  std::uint64_t clippedCells = 0;  // drawn by clipping rays against their faces
+  std::uint64_t triangles = 0;  // with an area; of CellProjection::Gator all four of every cell
+  // Drawn by clipping rays against their faces; not counted by CellProjection::Gator.
+  std::optional<std::uint64_t> clippedCells = 0;
   std::uint64_t culledOutside = 0;
   std::uint64_t culledNoSample = 0;
   std::uint64_t culledTransparent = 0;

@@ -26,6 +26,7 @@ struct Fan {
 // Projects all cells in the order of their indices.
 std::vector<Fan> projectAll(PassScene& scene) {
   ProjectPass pass(scene.context);
+  const GpuTruthTable truthTable(scene.context);
   const std::uint32_t count = scene.gpuMesh.cellCount();
   std::vector<std::uint32_t> identity(count);
   for (std::uint32_t i = 0; i < count; i++) identity[i] = i;
@@ -37,8 +38,8 @@ std::vector<Fan> projectAll(PassScene& scene) {
     sequence.order = &order;
     sequence.orderView = &orderView;
     sequence.kept = &kept;
-    pass.recordBatch(commands, scene.variant, scene.gpuMesh, scene.transfer, scene.storage.view, sequence, {0, count},
-                     scene.storage.counters, scene.storage.batches, /*isCounted=*/true);
+    pass.recordBatch(commands, scene.variant, scene.gpuMesh, scene.transfer, truthTable, scene.storage.view, sequence,
+                     {0, count}, scene.storage.counters, scene.storage.batches, /*isCounted=*/true);
   });
   const auto positions =
       gpu::downloadVector<glm::vec2>(scene.context, scene.storage.batches.positions, count * FAN_VERTICES);

@@ -4,6 +4,7 @@
 #include "gpu_fixture.h"
 #include "render/shader_library.h"
 #include "shared/batch_arguments.h"
+#include "shared/cell_push.h"
 #include "shared/sort.h"
 
 namespace tetralux::gpu {
@@ -28,7 +29,7 @@ TEST_F(GpuTest, ReflectionFindsWhatTheShaderDeclares) {
 
   const Shader fragment = render::loadShader(context(), "raster/fan.frag");
   EXPECT_EQ(fragment.interface().stage, VK_SHADER_STAGE_FRAGMENT_BIT);
-  EXPECT_EQ(fragment.interface().pushConstantBytes, 12u);
+  EXPECT_EQ(fragment.interface().pushConstantBytes, sizeof(shared::CellPush));
 }
 
 TEST_F(GpuTest, WorkgroupSizesAreThoseThatTheHostCountsWith) {

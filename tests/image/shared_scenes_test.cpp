@@ -53,6 +53,14 @@ TEST_P(SharedScenes, AreDrawnAsSilhouettesWithinTheirLimit) {
   expectExact(context(), name, options);
 }
 
+TEST_P(SharedScenes, AreProjectedByVertexShadersWithinTheirLimit) {
+  const std::string name = GetParam();
+  REQUIRE_SHARED("scenes/" + name + ".json");
+  RendererOptions options;
+  options.projection = CellProjection::Gator;
+  expectExact(context(), name, options);
+}
+
 // Small pictures: whether every method copes with the scene's cells, not how well.
 TEST_P(SharedScenes, AreDrawnByEveryMethodWithoutANonFiniteValue) {
   const std::string name = GetParam();

@@ -62,7 +62,7 @@ TEST(FrameSetup, MatrixTakesMeshSpaceToTheScreen) {
       EXPECT_NEAR(view.y / divisor * setup.view.pixelsPerUnit / setup.view.halfSize.y, clip.y / clip.w, 1e-5);
       EXPECT_NEAR(static_cast<double>(view.z) * space.scale, clip.z, 1e-4);
     }
-    EXPECT_NEAR(setup.raster.unitsPerPixel * setup.view.pixelsPerUnit, 1.0f, 1e-6);
+    EXPECT_NEAR(setup.screen.unitsPerPixel * setup.view.pixelsPerUnit, 1.0f, 1e-6);
   }
 }
 

@@ -1,0 +1,59 @@
+// How the cells of a batch get to the rasteriser: what the passes that draw cells ("raster", "apart") have in common.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "gpu/commands.h"
+#include "render/batch.h"
+#include "render/gpu_mesh.h"
+#include "render/gpu_truth_table.h"
+#include "render/integration/integration_tables.h"
+#include "render/order/cell_order.h"
+#include "render/pipeline_variants.h"
+#include "render/transfer_buffer.h"
+#include "shared/cell_push.h"
+
+namespace tetralux::render {
+
+// A batch of cells with all that their shaders read. Everything outlives the recorded commands.
+struct CellBatch {
+  const GpuMesh& mesh;
+  const TransferBuffer& transfer;
+  const IntegrationTables& tables;
+  const gpu::Buffer& view;  // FrameView
+  const GpuTruthTable& truthTable;
+  const CellSequence& sequence;
+  const BatchStorage& storage;
+  shared::CellPush push;
+};
+
+// Pipelines that draw cells with one kind of fragment shader, made when first needed.
+class CellDraw {
+ public:
+  //   fans, gator   names of the fragment shader for cells projected before and for those that raster/gator.vert
+  //                 projects
+  CellDraw(const gpu::Context& context, const std::string& fans, const std::string& gator);
+
+  // Draws a batch within a begun rendering.
+  //   format    of the attachment; undefined: none
+  //   kBuffer   as of SPEC_KBUFFER
+  //   further   what the fragment shader binds behind the tables of integration
+  void record(gpu::CommandBuffer& commands, const FrameVariant& variant, const CellBatch& batch, VkFormat format,
+              std::uint32_t kBuffer = 0, const std::vector<gpu::Descriptor>& further = {});
+
+ private:
+  const gpu::GraphicsPipeline& pipeline(const FrameVariant& variant, VkFormat format, std::uint32_t kBuffer);
+
+  const gpu::Context& context_;
+  struct Shaders {
+    gpu::Shader vertex;
+    gpu::Shader fragment;
+  };
+  Shaders fans_;
+  Shaders gator_;
+  std::map<std::vector<std::uint32_t>, gpu::GraphicsPipeline> pipelines_;  // by all that distinguishes them
+};
+
+}  // namespace tetralux::render
