@@ -1,4 +1,5 @@
-// Cells projected by the vertex shader: the same pictures as by the project pass, without its buffers.
+// Cells projected by the vertex shader: the same pictures as by the project pass, without its buffers. What all
+// projections have to draw: projection_test.cpp.
 #include <gtest/gtest.h>
 
 #include "gpu_fixture.h"
@@ -16,20 +17,8 @@ using test::withProjection;
 
 const RendererOptions kGator = withProjection(CellProjection::Gator);
 
-TEST_F(GpuTest, GatorAgreesWithTheReferenceOnHardMeshes) {
-  for (const auto& [name, mesh] : test::hardMeshes()) {
-    const std::vector<Camera> views = test::orderViews(mesh);
-    for (size_t view = 0; view < views.size(); view++) {
-      const ImageDifference d = projectionError(context(), mesh, views[view], kGator);
-      EXPECT_LE(d.rmse, 5e-5) << name << ", view " << view;
-      EXPECT_LE(d.max, 1.0 / 255.0) << name << ", view " << view;
-      EXPECT_EQ(d.nonFinite, 0u);
-    }
-  }
-}
-
-// One function projects for both; compilers may contract its products differently in a vertex shader, so the last digits of
-// a position may differ, and with them which pixels of an edge are covered.
+// One function projects for both; compilers may contract its products differently in a vertex shader, so the last
+// digits of a position may differ, and with them which pixels of an edge are covered.
 TEST_F(GpuTest, GatorDrawsWhatThePassProjects) {
   const TetMesh mesh = randomDelaunay(1500, 7);
   for (const Camera& camera : test::orderViews(mesh)) {
@@ -38,29 +27,6 @@ TEST_F(GpuTest, GatorDrawsWhatThePassProjects) {
     EXPECT_LE(d.rmse, 1e-5);
     EXPECT_LE(d.max, 1e-3);
   }
-}
-
-TEST_F(GpuTest, GatorOfCellFieldsAndByAddress) {
-  TetMesh mesh = kuhnGrid(4, 4, 4, glm::dvec3(0), glm::dvec3(1), waveField);
-  std::vector<float> values;
-  for (size_t i = 0; i < mesh.cellCount(); i++) values.push_back(static_cast<float>(i * 7919 % 100) / 99.0f);
-  mesh.cellArrays.push_back({"c", 1, values});
-  for (const Camera& camera : test::orderViews(mesh)) {
-    EXPECT_LE(projectionError(context(), mesh, camera, kGator, "c").rmse, 5e-5);
-    EXPECT_EQ(projectedImage(context(), mesh, camera, withProjection(CellProjection::Gator, true), "c").pixels,
-              projectedImage(context(), mesh, camera, kGator, "c").pixels);
-  }
-}
-
-// Cycles go through the lists of the apart pass, several batches through several draws.
-TEST_F(GpuTest, GatorOfACycleIsCompositedApart) {
-  const TetMesh mesh = cyclicOctahedron();
-  Camera camera;
-  camera.eye = {0.02, 0.03, -5};
-  camera.center = {0, 0, 0.5};
-  camera.up = {0, 1, 0};
-  camera.fovyDegrees = 30;
-  EXPECT_LE(projectionError(context(), mesh, camera, kGator).rmse, 5e-5);
 }
 
 TEST_F(GpuTest, GatorDrawsBatchAfterBatch) {
