@@ -18,7 +18,7 @@ vec4 cellPlane(int slot, int i) { return texelFetch(cellPlanes, slot * int(FAN_V
 #endif
 
 // What include/project_cell.glsl gives a vertex. Under INTERPOLATION_SCREEN: depth and scalar of the front end, length of the segment,
-// scalar of the back end. Under INTEGRATION_VERTEX: colour and opacity.
+// scalar of the back end. Under INTEGRATION_VERTEX: what classifyVertex() returns.
 layout(location = 0) in vec4 fanEnds;
 // Of the fan's centre: q of its front end, and the largest q difference; in the two other cases depth and length.
 layout(location = 1) flat in vec2 thickEnds;
@@ -104,8 +104,7 @@ vec2 screenOf(vec4 fragCoord, ScreenScale scale) {
 vec4 fragmentColor(Segment segment, vec2 screen) {
   if (kIntegration == INTEGRATION_VERTEX && !kSilhouette && (fanCell & 1) == 0) {
     // What is extrapolated, see above, is held to what there can be.
-    const float opacity = clamp(fanEnds.a, 0.0, 1.0);
-    return vec4(max(fanEnds.rgb, vec3(0.0)) * opacity, opacity);
+    return vertexLight(vec4(max(fanEnds.rgb, vec3(0.0)), clamp(fanEnds.a, 0.0, 1.0)));
   }
   return integrateSegment(segment.scalarFront, segment.scalarBack, segment.thickness * rayLengthPerDepth(screen));
 }

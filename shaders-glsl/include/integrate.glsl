@@ -2,7 +2,7 @@
 //
 // Before including: shared/spec_ids.h, and the binding numbers TRANSFER_PIECES, TRANSFER_PIECE_BINS. With INTEGRATION_NUMBERS,
 // INTEGRATION_TABLE_2D and INTEGRATION_TABLE_3D as well, every method can be chosen; without them there is only the exact one.
-// Only the exact one knows emission per length.
+// All but INTEGRATION_PPI and INTEGRATION_MOMENTS know emission per length.
 #include "shared/integration.h"
 #include "include/integration/exact.glsl"
 
@@ -24,10 +24,7 @@ layout(constant_id = SPEC_INTEGRATION) const uint kIntegration = INTEGRATION_EXA
 //   thickness     length along the ray, mesh units, >= 0
 vec4 integrateSegment(float front, float back, float thickness) {
 #ifdef INTEGRATION_NUMBERS
-  if (kIntegration == INTEGRATION_VERTEX) {
-    const vec4 color = classifyVertex(front, back, thickness);
-    return vec4(color.rgb * color.a, color.a);
-  }
+  if (kIntegration == INTEGRATION_VERTEX) return vertexLight(classifyVertex(front, back, thickness));
   if (kIntegration == INTEGRATION_AVERAGE) return integrateAverage(front, back, thickness);
   if (kIntegration == INTEGRATION_OPACITY2D) return integrateOpacityTable(front, back, thickness);
   if (kIntegration == INTEGRATION_PREINT2D) return integrateMeanThickness(front, back, thickness);

@@ -1,11 +1,12 @@
 // Rays walk through the mesh from the front and gather light.
 //
 // One invocation per pixel; its list holds the faces where its ray enters the mesh, near ones first. A walk ends where the ray
-// leaves the mesh, or where nothing behind can be seen any more. After MARCH_ROUNDS rounds the face at which the ray stands takes
+// leaves the mesh, or where nothing behind can be seen any more. After kRounds rounds the face at which the ray stands takes
 // the place of its entry, the pixel is counted, and another dispatch goes on.
 //
-// A round of the loop is one part of a cell's segment (include/integrate.glsl), most cells have one: a loop over parts within a
-// loop over cells would keep all lanes of a subgroup waiting for the one with most parts.
+// With exact integration, a round of the loop is one part of a cell's segment (include/integration/exact.glsl), most cells have
+// one: a loop over parts within a loop over cells would keep all lanes of a subgroup waiting for the one with most parts. With
+// another method a round is a cell.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_buffer_reference : require
@@ -26,6 +27,9 @@ layout(local_size_x = 64) in;
 #define TOPOLOGY_NEIGHBORS 4
 #define TRANSFER_PIECES 5
 #define TRANSFER_PIECE_BINS 6
+#define INTEGRATION_NUMBERS 12
+#define INTEGRATION_TABLE_2D 13
+#define INTEGRATION_TABLE_3D 14
 #include "include/dispatch.glsl"
 #include "include/integrate.glsl"
 #include "include/march_pixel.glsl"
@@ -46,6 +50,8 @@ layout(push_constant, scalar) uniform Push {
   PixelBand band;
 };
 
+const uint kRounds = kIntegration == INTEGRATION_EXACT ? MARCH_ROUNDS : MARCH_CELLS;
+
 // The segment between two faces; what lies behind the eye is cut off.
 PartWalk beginCell(Ray ray, uint cell, vec2 enter, vec2 leave) {
   vec2 scalars = vec2(enter.y, leave.y);
@@ -57,6 +63,17 @@ PartWalk beginCell(Ray ray, uint cell, vec2 enter, vec2 leave) {
     depth *= 1.0 - hidden;
   }
   return beginParts(scalars.x, scalars.y, depth * ray.lengthPerDepth);
+}
+
+// Composites the next part of a cell's segment, or all of it. Returns whether the segment is through.
+bool gather(inout PartWalk parts, inout vec3 light, inout float opacity, inout float clearness) {
+  if (kIntegration == INTEGRATION_EXACT) return walkPart(parts, light, opacity, clearness);
+  const vec4 color = integrateSegment(parts.front, parts.back, parts.thickness);
+  const float transmittance = kEmissionPerLength ? clearness : 1.0 - opacity;
+  light += transmittance * color.rgb;
+  clearness *= 1.0 - color.a;
+  opacity += (1.0 - opacity) * color.a;
+  return true;
 }
 
 void main() {
@@ -73,7 +90,7 @@ void main() {
     color.a = 1.0 - clearness;
   }
   uint rounds = 0;
-  for (uint walk = 0; walk < MARCH_ROUNDS; walk++) {
+  for (uint walk = 0; walk < kRounds; walk++) {
     const uint code = pixelRanks[node].y;
     uint cell = code >> 2;
     Face face = loadFace(mesh, ray, code);
@@ -84,10 +101,10 @@ void main() {
     PartWalk parts = beginCell(ray, cell, enter, leave);
     bool isThrough = false;
     for (uint round = 0; round < MARCH_LAST_ROUND; round++) {
-      const bool isLast = walkPart(parts, color.rgb, color.a, clearness);
+      const bool isLast = gather(parts, color.rgb, color.a, clearness);
       rounds++;
       isThrough = (isLast && next == NO_CELL) || isWalkOpaque(color.a, clearness);
-      if (isThrough || (isLast && rounds >= MARCH_ROUNDS)) break;
+      if (isThrough || (isLast && rounds >= kRounds)) break;
       if (isLast) {
         cell = next;
         enter = leave;
@@ -102,7 +119,7 @@ void main() {
       const uvec4 vertices = loadCellVertices(mesh, next);
       pixelRanks[node].y = cellFace(next, vertices, oppositeVertex(vertices, face));
     }
-    if (node == NO_NODE || rounds >= MARCH_ROUNDS) break;
+    if (node == NO_NODE || rounds >= kRounds) break;
   }
   if (kEmissionPerLength && node != NO_NODE) color.a = -clearness;  // kept with all its digits for the next dispatch
   colors[pixel] = color;

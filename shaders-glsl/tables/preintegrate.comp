@@ -36,6 +36,17 @@ void main() {
   const uint inSlice = index % (table.width * table.height);
   const float front = float(inSlice % table.width) / float(table.width - 1u) - 0.5;
   const float back = float(inSlice / table.width) / float(table.height - 1u) - 0.5;
-  const vec4 value = integrateExact(front, back, table.thickness * sliceShare(slice));
+  const float thickness = table.thickness * sliceShare(slice);
+  vec4 value;
+  if (kEmissionPerLength) {
+    // Light per length (include/integration/preintegration.glsl); that of no thickness at all is that of so thin a segment that nothing
+    // is absorbed.
+    const float thin = 1e-9 * table.thickness / max(1.0, table.largestExtinction * table.thickness);
+    const float length = max(thickness, thin);
+    value = integrateExact(front, back, length);
+    value = vec4(value.rgb / length, thickness > 0.0 ? value.a : 0.0);
+  } else {
+    value = integrateExact(front, back, thickness);
+  }
   storeFour(index, value / vec4(vec3(table.lightPerValue), table.opacityPerValue));
 }

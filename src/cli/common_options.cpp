@@ -71,12 +71,16 @@ void DeviceOptions::addTable(CLI::App& app) {
                  "preint3d 128x128x32)");
   app.add_option("--table-format", tableFormat, "How a table's entries are stored (default: unorm16)")
       ->check(CLI::IsMember(render::tableFormatNames()));
+  app.add_option("--table-build", tableBuild,
+                 "How tables of three dimensions are made: every entry exactly, or slice by slice (default: exact)")
+      ->check(CLI::IsMember(render::tableBuildNames()));
 }
 
 render::TableOptions DeviceOptions::tableOptions() const {
   render::TableOptions table;
   if (!tableSize.empty()) table.size = render::parseTableSize(tableSize);
   if (!tableFormat.empty()) table.format = render::parseTableFormat(tableFormat);
+  table.build = render::parseTableBuild(tableBuild);
   table.forceFetch = forcePath == "table-fetch";
   return table;
 }

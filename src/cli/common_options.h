@@ -37,11 +37,12 @@ struct DeviceOptions {
   std::string interpolation = "perspective";
   std::string tableSize;    // empty: the method's
   std::string tableFormat;  // empty: the method's
+  std::string tableBuild = "exact";
 
   void add(CLI::App& app);
   // Parts of add() for commands that draw nothing.
   void addDevice(CLI::App& app);  // --device and --validate
-  void addTable(CLI::App& app);   // --table-size and --table-format
+  void addTable(CLI::App& app);   // --table-size, --table-format, --table-build
   gpu::ContextOptions contextOptions() const { return {device, validate}; }
   render::RendererOptions rendererOptions() const;
   // Everything that is chosen per frame; not timed. Throws Error(Usage).

@@ -75,6 +75,8 @@ nlohmann::ordered_json statsJson(const LoadedScene& loaded, const gpu::DeviceInf
   json["width"] = loaded.scene.size.width;
   json["height"] = loaded.scene.size.height;
   json["integration"] = render::integrationName(last.integration);
+  json["table_build"] = last.tableBuild ? nlohmann::ordered_json(render::tableBuildName(*last.tableBuild))
+                                        : nlohmann::ordered_json(nullptr);
   json["interpolation"] = render::interpolationName(last.interpolation);
   json["projection"] = render::projectionName(renderer.projection());
   json["order"] = render::orderName(last.order.order);

@@ -23,7 +23,8 @@ class TableCommand : public Command {
   explicit TableCommand(CLI::App& app) {
     app.add_option("kind", kind_, "Which table")->required()->check(CLI::IsMember(tableKinds()));
     app.add_option("-o,--output", output_,
-                   "EXR to write: first axis to the right, second downwards, slices of the third side by side")
+                   "EXR to write: first axis to the right, second downwards, slices of the third side by side; with "
+                   "emission per length, light is per world unit of the segment")
         ->required()
         ->type_name("FILE.exr");
     app.add_option("--scene", scene_,
@@ -62,8 +63,6 @@ class TableCommand : public Command {
       space.scalarCenter = 0.5 * points.front().s + 0.5 * points.back().s;
       if (points.back().s > points.front().s) space.scalarRange = points.back().s - points.front().s;
     }
-    if (integration != render::Integration::Ppi && scene.transferFunction.emission() == Emission::PerLength)
-      fail(ErrorCode::Usage, "table {}: found emission per length, expected a transfer function without it", kind_);
     const gpu::Context context(deviceOptions_.contextOptions());
     render::CellLengths lengths;
     if (loaded) {
@@ -76,7 +75,11 @@ class TableCommand : public Command {
     const render::TransferBuffer transfer(context, scene.transferFunction, space);
     render::IntegrationTables tables(context);
     tables.build(integration, options, {transfer, lengths});
-    const Image image = sideBySide(tables.read(), tables.extent());
+    std::vector<glm::vec4> entries = tables.read();
+    if (render::tableChannels(integration) == 4 && transfer.emission() == Emission::PerLength) {
+      for (glm::vec4& entry : entries) entry = glm::vec4(glm::vec3(entry) / static_cast<float>(space.scale), entry.w);
+    }
+    const Image image = sideBySide(entries, tables.extent());
     failOnValidationMessages();
     const bool isMean = integration == render::Integration::Preint2d;
     exr.attributes = {{"tetralux.version", versionString()},

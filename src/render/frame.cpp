@@ -129,7 +129,7 @@ template <typename Record>
 void untilThrough(gpu::Recorder& recorder, const FrameInputs& inputs, const MarchStorage& storage, const char* pass,
                   const Record& record) {
   // A ray meets a cell once, so this many times are enough; rounding may not make it go in circles for ever.
-  const std::uint32_t most = 16 + 4 * (inputs.mesh.cellCount() / shared::MARCH_ROUNDS);
+  const std::uint32_t most = 16 + 4 * (inputs.mesh.cellCount() / shared::MARCH_CELLS);
   for (std::uint32_t i = 0; i < most; i++) {
     gpu::CommandBuffer& commands = recorder.pass(pass);
     commands.fill(storage.unfinished(), 0);
@@ -214,7 +214,7 @@ void marchFrame(gpu::Recorder& recorder, const FrameInputs& inputs, MarchPass& p
 
     // march: from there through the cells
     untilThrough(recorder, inputs, storage, "march", [&](gpu::CommandBuffer& commands) {
-      pass.recordMarch(commands, inputs.variant, inputs.mesh, inputs.transfer, storage, band);
+      pass.recordMarch(commands, inputs.variant, inputs.mesh, inputs.transfer, inputs.tables, storage, band);
     });
     if (lists.grow()) continue;
 

@@ -72,16 +72,17 @@ void MarchPass::recordSeek(gpu::CommandBuffer& commands, const FrameVariant& var
 }
 
 void MarchPass::recordMarch(gpu::CommandBuffer& commands, const FrameVariant& variant, const GpuMesh& mesh,
-                            const TransferBuffer& transfer, const MarchStorage& storage,
-                            const shared::PixelBand& band) {
+                            const TransferBuffer& transfer, const IntegrationTables& tables,
+                            const MarchStorage& storage, const shared::PixelBand& band) {
   const PixelLists& lists = storage.lists();
   const WalkPush push{mesh.addresses(), storage.topology().addresses().neighbors, band};
   gpu::SpecConstants constants = variant.specConstants();
   constants.push_back({SPEC_EMISSION_PER_LENGTH, variant.emissionPerLength});
+  for (const gpu::SpecConstant& constant : variant.integration.specConstants()) constants.push_back(constant);
   commands.dispatch(march_.get(constants),
                     {storage.view(), mesh.cells(), mesh.vertices(), mesh.cellScalars(), storage.topology().neighbors(),
                      transfer.pieces(), transfer.pieceBins(), lists.heads(), lists.links(), lists.ranks(),
-                     storage.colors(), storage.unfinished()},
+                     storage.colors(), storage.unfinished(), tables.numbers(), tables.table2d(), tables.table3d()},
                     push, tileThreads(band));
   commands.barrier(kComputeWrite, kComputeReadWrite | kVertexRead);
 }

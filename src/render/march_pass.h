@@ -9,6 +9,7 @@
 #include "gpu/commands.h"
 #include "render/frame_view.h"
 #include "render/gpu_mesh.h"
+#include "render/integration/integration_tables.h"
 #include "render/march_storage.h"
 #include "render/pipeline_variants.h"
 #include "render/transfer_buffer.h"
@@ -31,7 +32,8 @@ class MarchPass {
 
   // Walks. Adds the rays that are not through to storage.unfinished(); recorded again, they go on.
   void recordMarch(gpu::CommandBuffer& commands, const FrameVariant& variant, const GpuMesh& mesh,
-                   const TransferBuffer& transfer, const MarchStorage& storage, const shared::PixelBand& band);
+                   const TransferBuffer& transfer, const IntegrationTables& tables, const MarchStorage& storage,
+                   const shared::PixelBand& band);
 
   // Writes a band's colours into the target.
   void recordShow(gpu::CommandBuffer& commands, const MarchStorage& storage, const shared::PixelBand& band,

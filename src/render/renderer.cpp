@@ -67,11 +67,9 @@ void Renderer::checkMethod(const RenderOptions& options) const {
   const auto refuse = [](const char* option, const char* found, const char* with, const char* expected) {
     fail(ErrorCode::Usage, "{}: found '{}' with {}, expected {}", option, found, with, expected);
   };
-  if (options.integration != Integration::Exact) {
-    const char* const name = integrationName(options.integration);
-    if (projection_ == CellProjection::March) refuse("--integration", name, "--projection march", "exact");
-    if (transfer_->emission() == Emission::PerLength) refuse("--integration", name, "emission per length", "exact");
-  }
+  if (transfer_->emission() == Emission::PerLength && !carriesEmissionPerLength(options.integration))
+    refuse("--integration", integrationName(options.integration), "emission per length",
+           "a method other than moments and ppi");
   if (options.interpolation == Interpolation::Screen &&
       (projection_ == CellProjection::Silhouette || projection_ == CellProjection::March))
     refuse("--interpolation", "screen", "a projection that interpolates nothing", "--projection pt or gator");
@@ -168,6 +166,7 @@ FrameStats Renderer::draw(const Camera& camera, ImageSize size, const RenderOpti
   stats.frameMs += recorder.totalMs();
   stats.integration = options.integration;
   stats.interpolation = options.interpolation;
+  stats.tableBuild = tables_->tableBuild();
   stats.tablesMs = tables_->buildMs();
   return stats;
 }

@@ -52,9 +52,10 @@ struct FrameStats {
   OrderReport order;
   Integration integration = Integration::Exact;
   Interpolation interpolation = Interpolation::Perspective;
-  double tablesMs = 0.0;    // that building the method's table took, before this frame or an earlier one
-  double frameMs = 0.0;     // device work until the picture is ready there
-  double readbackMs = 0.0;  // picture to host memory
+  std::optional<TableBuild> tableBuild;  // of a table of three dimensions
+  double tablesMs = 0.0;                 // that building the method's table took, before this frame or an earlier one
+  double frameMs = 0.0;                  // device work until the picture is ready there
+  double readbackMs = 0.0;               // picture to host memory
 };
 
 struct MemoryUse {

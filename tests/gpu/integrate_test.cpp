@@ -15,8 +15,8 @@ namespace {
 using test::GpuTest;
 using test::integrateOnDevice;
 using test::largestError;
+using test::largestRelativeError;
 using test::Segment;
-using test::unitSpace;
 
 const TransferFunction& ramp() {
   static const TransferFunction transfer({{0, {1, 0, 0.5}, 0}, {1, {0, 1, 0.5}, 1}}, "ramp");
@@ -103,30 +103,6 @@ TEST_F(GpuTest, IntegralOfEqualColorsIsColorTimesOpacity) {
     EXPECT_GE(result.w, 0.0f);
     EXPECT_LE(result.w, 1.0f);
   }
-}
-
-// Largest difference from the exact light, relative to the brightest channel of the segment.
-double largestRelativeError(const gpu::Context& context, const TransferFunction& transfer,
-                            const std::vector<Segment>& segments) {
-  const auto found = integrateOnDevice(context, transfer, segments);
-  const MeshSpace space = unitSpace();
-  double worst = 0.0;
-  for (size_t i = 0; i < segments.size(); i++) {
-    const auto rounded = [&](double s) {
-      return static_cast<double>(space.scalar(s)) * space.scalarRange + space.scalarCenter;
-    };
-    const SegmentOptics expected =
-        reference::integrateSegment(transfer, rounded(segments[i].front), rounded(segments[i].back),
-                                    static_cast<double>(static_cast<float>(segments[i].length)));
-    const double brightest = std::max({expected.light.x, expected.light.y, expected.light.z});
-    for (int c = 0; c < 3; c++) {
-      const double difference = std::abs(expected.light[c] - static_cast<double>(found[i][c]));
-      EXPECT_TRUE(std::isfinite(difference));
-      worst = std::max(worst, difference / std::max(brightest, 1e-30));
-    }
-    EXPECT_NEAR(expected.alpha, static_cast<double>(found[i].w), 1e-5);
-  }
-  return worst;
 }
 
 TEST_F(GpuTest, EmissionPerLengthIsAccurateForAllOpticalDepths) {

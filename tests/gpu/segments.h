@@ -34,4 +34,11 @@ double largestError(const gpu::Context& context, const TransferFunction& transfe
                     render::Integration integration = render::Integration::Exact,
                     const render::TableOptions& options = {}, const render::CellLengths& lengths = {});
 
+// The same for light, relative to the brightest channel of each segment; opacity must be right to `opacityLimit`.
+double largestRelativeError(const gpu::Context& context, const TransferFunction& transfer,
+                            const std::vector<Segment>& segments,
+                            render::Integration integration = render::Integration::Exact,
+                            const render::TableOptions& options = {}, const render::CellLengths& lengths = {},
+                            double opacityLimit = 1e-5);
+
 }  // namespace tetralux::test

@@ -12,8 +12,6 @@
 
 #include "include/integration/transfer_pieces.glsl"
 
-layout(constant_id = SPEC_EMISSION_PER_LENGTH) const bool kEmissionPerLength = false;
-
 const float kLargestPartDepth = 1.0;
 const int kMostParts = 1 << 20;       // more than any segment has
 const float kOpaque = 1.0 - 1.1e-7;  // 1 - exp(-16)
@@ -47,6 +45,33 @@ float lengthMoment(float a, float b) {
   const float p3 = -0.0068572955 + a * (0.0020340534 + a * -0.00025572765);
   const float p4 = 0.00073767197 + a * -0.00016576365;
   return p0 + b * (p1 + b * (p2 + b * (p3 + b * (p4 + b * -4.6314453e-05))));
+}
+
+// How much of a part is kept where its optical depth would become too large for the polynomials: the share k at which
+// e0 k + (e1 - e0) k^2/2, with e = extinction times length, reaches the limit. 1 for a part that need not be cut.
+float keptShare(float extinction0, float extinction1, float part) {
+  const float e0 = extinction0 * part;
+  const float root = sqrt(max(0.0, e0 * e0 + 2.0 * kLargestPartDepth * (extinction1 * part - e0)));
+  return min(1.0, 2.0 * kLargestPartDepth / max(e0 + root, 1e-30));
+}
+
+// Composites a part on which extinction and luminance are linear behind light and opacity.
+//   clearness   with emission per length: the transmittance so far
+void addPart(float extinctionFront, float extinctionBack, vec3 luminanceFront, vec3 luminanceChange, float part,
+             inout vec3 light, inout float opacity, inout float clearness) {
+  const float depthFront = extinctionFront * part;
+  const float depthBack = extinctionBack * part;
+  const float depth = 0.5 * (depthFront + depthBack);
+  const float partOpacity = depth * relativeOpacity(depth);
+  const float transmittance = 1.0 - opacity;
+  if (kEmissionPerLength) {
+    const float psi = emissionMoment(depthBack, depthFront) + (1.0 - partOpacity);
+    light += clearness * part * (luminanceFront * psi + luminanceChange * lengthMoment(depthBack, depthFront));
+    clearness *= 1.0 - partOpacity;
+  } else {
+    light += transmittance * (luminanceFront * partOpacity + luminanceChange * emissionMoment(depthBack, depthFront));
+  }
+  opacity += transmittance * partOpacity;
 }
 
 // A segment that is being walked.
@@ -94,31 +119,14 @@ bool walkPart(inout PartWalk walk, inout vec3 light, inout float opacity, inout 
   float extinction1 = range.z + range.w * s1;
   float part = (shareExit - walk.share) * walk.thickness;
 
-  // Cut where the optical depth would become too large for the polynomial: the share k of the part at which
-  // e0 k + (e1 - e0) k^2/2, with e = extinction times length, reaches the limit.
-  const float e0 = extinction0 * part;
-  const float root = sqrt(max(0.0, e0 * e0 + 2.0 * kLargestPartDepth * (extinction1 * part - e0)));
-  const float keep = min(1.0, 2.0 * kLargestPartDepth / max(e0 + root, 1e-30));
+  const float keep = keptShare(extinction0, extinction1, part);
   const bool isCut = keep < 1.0;
   part *= keep;
   const float s2 = mix(s0, s1, keep);
   extinction1 = mix(extinction0, extinction1, keep);
 
-  const float depthFront = extinction0 * part;
-  const float depthBack = extinction1 * part;
-  const float depth = 0.5 * (depthFront + depthBack);
-  const float partOpacity = depth * relativeOpacity(depth);
-  const vec3 luminanceFront = luminanceLow.xyz + luminanceSlope * s0;
-  const vec3 luminanceChange = luminanceSlope * (s2 - s0);
-  const float transmittance = 1.0 - opacity;
-  if (kEmissionPerLength) {
-    const float psi = emissionMoment(depthBack, depthFront) + (1.0 - partOpacity);
-    light += clearness * part * (luminanceFront * psi + luminanceChange * lengthMoment(depthBack, depthFront));
-    clearness *= 1.0 - partOpacity;
-  } else {
-    light += transmittance * (luminanceFront * partOpacity + luminanceChange * emissionMoment(depthBack, depthFront));
-  }
-  opacity += transmittance * partOpacity;
+  addPart(extinction0, extinction1, luminanceLow.xyz + luminanceSlope * s0, luminanceSlope * (s2 - s0), part, light, opacity,
+          clearness);
 
   walk.share = isCut ? mix(walk.share, shareExit, keep) : shareExit;
   walk.piece = isCut ? walk.piece : (walk.rising ? walk.piece + 1 : walk.piece - 1);

@@ -1,10 +1,16 @@
 // Pre-integrated segments: light and opacity from a table over front scalar, back scalar and thickness.
 
+// With emission per length a table holds not the light, which has no bound, but light per length, which is never above the largest
+// emission and does not become small for thin segments, so that a fixed-point format keeps its digits at every thickness.
+vec4 entryLight(vec4 entry, float thickness) {
+  return kEmissionPerLength ? vec4(entry.rgb * thickness, entry.a) : entry;
+}
+
 // Roettger, Kraus and Ertl (2000), section 4: integrated for the mean thickness, extrapolated linearly. Where that would
 // be more than opaque the segment is opaque.
 vec4 integrateMeanThickness(float front, float back, float thickness) {
   const TableScale scale = tableScale();
-  const vec4 color = sampleTable2d(vec2(front + 0.5, back + 0.5)) * scale.value;
+  const vec4 color = entryLight(sampleTable2d(vec2(front + 0.5, back + 0.5)) * scale.value, scale.thickness);
   return color * min(thickness / scale.thickness, 1.0 / max(color.a, 1e-37));
 }
 
@@ -37,5 +43,5 @@ vec4 integratePreintegrated(float front, float back, float thickness) {
   float third = linearAxis(share);
   if (kIntegration == INTEGRATION_PREINT3D_LOG) third = logarithmicAxis(share, size);
   if (kIntegration == INTEGRATION_PREINT3D_OCTAVE) third = octaveAxis(share, size);
-  return sampleTable3d(vec3(front + 0.5, back + 0.5, third)) * scale.value;
+  return entryLight(sampleTable3d(vec3(front + 0.5, back + 0.5, third)) * scale.value, thickness);
 }

@@ -2,13 +2,18 @@
 #ifndef TETRALUX_INTEGRATION_SEGMENT_FUNCTIONS
 #define TETRALUX_INTEGRATION_SEGMENT_FUNCTIONS
 
-// 1 - exp(-m), m >= 0, with a relative error below 3e-7 at any m: thousands of thin cells are summed. Taylor series below 0.5.
-float oneMinusExp(float m) {
-  const float thin =
-      m * (1.0 - m * (1.0 / 2.0) * (1.0 - m * (1.0 / 3.0) * (1.0 - m * (1.0 / 4.0) * (1.0 - m * (1.0 / 5.0) *
-      (1.0 - m * (1.0 / 6.0) * (1.0 - m * (1.0 / 7.0)))))));
-  return m < 0.5 ? thin : 1.0 - exp(-m);
+// (1 - exp(-m))/m by its Taylor series, for 0 <= m <= 0.5.
+float thinMeanTransmittance(float m) {
+  return 1.0 - m * (1.0 / 2.0) * (1.0 - m * (1.0 / 3.0) * (1.0 - m * (1.0 / 4.0) * (1.0 - m * (1.0 / 5.0) *
+         (1.0 - m * (1.0 / 6.0) * (1.0 - m * (1.0 / 7.0))))));
 }
+
+// 1 - exp(-m), m >= 0, with a relative error below 3e-7 at any m: thousands of thin cells are summed.
+float oneMinusExp(float m) { return m < 0.5 ? m * thinMeanTransmittance(m) : 1.0 - exp(-m); }
+
+// (1 - exp(-m))/m, m >= 0, with the same relative error: the mean transmittance from the front of a segment of constant
+// extinction to its places, 1 without extinction.
+float meanTransmittance(float m) { return m < 0.5 ? thinMeanTransmittance(m) : (1.0 - exp(-m)) / m; }
 
 // erfcx(x) = exp(x^2) erfc(x), x >= 0: polynomial in 1/(1 + 0.55 x), fitted where m > 1 needs it.
 float scaledErfc(float x) {

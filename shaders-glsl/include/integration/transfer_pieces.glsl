@@ -1,8 +1,10 @@
 // The transfer function: its linear pieces, and what it says at one scalar.
 //
-// Before including: TRANSFER_PIECES and TRANSFER_PIECE_BINS are the binding numbers.
+// Before including: TRANSFER_PIECES and TRANSFER_PIECE_BINS are the binding numbers; shared/spec_ids.h.
 #ifndef TETRALUX_INTEGRATION_TRANSFER_PIECES
 #define TETRALUX_INTEGRATION_TRANSFER_PIECES
+
+layout(constant_id = SPEC_EMISSION_PER_LENGTH) const bool kEmissionPerLength = false;
 
 // Piece i is texels 3i to 3i+2:
 //   x scalar at its low end, y at its high end, z extinction at the low end (1/mesh unit), w its slope
@@ -13,7 +15,7 @@ layout(binding = TRANSFER_PIECES) uniform samplerBuffer transferPieces;
 // Bin b covers scalars from -0.5 + b/TRANSFER_BINS to the next; texel 2b: the piece at its low end, 2b+1: at its high end.
 layout(binding = TRANSFER_PIECE_BINS) uniform usamplerBuffer transferPieceBins;
 
-// Luminance and extinction (1/mesh unit).
+// Luminance, as in the pieces, and extinction (1/mesh unit).
 struct Optics {
   vec3 luminance;
   float extinction;
@@ -22,13 +24,17 @@ struct Optics {
 // Index of the piece that holds a scalar; on a control point, the piece after it.
 int pieceOf(float scalar) {
   const int bin = clamp(int((scalar + 0.5) * float(TRANSFER_BINS)), 0, int(TRANSFER_BINS) - 1);
-  int piece = int(texelFetch(transferPieceBins, 2 * bin).x);
-  const int pieces = textureSize(transferPieces) / int(TRANSFER_PIECE_TEXELS);
-  for (int round = 0; round < pieces; round++) {
-    if (texelFetch(transferPieces, 3 * piece).y > scalar) break;
-    piece++;
+  int low = int(texelFetch(transferPieceBins, 2 * bin).x);
+  int high = int(texelFetch(transferPieceBins, 2 * bin + 1).x);
+  // Most bins lie within one piece. The bound is more than any bin has.
+  for (int round = 0; round < 20; round++) {
+    if (low >= high) break;
+    const int middle = (low + high) / 2;
+    const bool isBehind = texelFetch(transferPieces, 3 * middle).y <= scalar;
+    low = isBehind ? middle + 1 : low;
+    high = isBehind ? high : middle;
   }
-  return piece;
+  return low;
 }
 
 Optics opticsInPiece(int piece, float scalar) {

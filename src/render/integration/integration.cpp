@@ -92,6 +92,21 @@ TableFormat parseTableFormat(const std::string& name) {
   return static_cast<TableFormat>(indexOf(tableFormatNames(), name, "--table-format"));
 }
 
+const std::vector<std::string>& tableBuildNames() {
+  static const std::vector<std::string> names = {"exact", "incremental"};
+  return names;
+}
+
+const char* tableBuildName(TableBuild build) { return tableBuildNames()[static_cast<size_t>(build)].c_str(); }
+
+TableBuild parseTableBuild(const std::string& name) {
+  return static_cast<TableBuild>(indexOf(tableBuildNames(), name, "--table-build"));
+}
+
+bool carriesEmissionPerLength(Integration integration) {
+  return integration != Integration::Moments && integration != Integration::Ppi;
+}
+
 int tableDimensions(Integration integration) {
   switch (integration) {
     case Integration::Ppi:

@@ -36,6 +36,12 @@ enum class Interpolation {
 
 enum class TableFormat { Unorm8, Unorm16, F16, F32 };
 
+// How the entries of a three-dimensional table are made.
+enum class TableBuild {
+  Exact,        // each by itself
+  Incremental,  // slice by slice from those before: Weiler et al. 2003, Kraus, Qiao and Ebert 2004
+};
+
 // Names on the command line and in statistics; parsing throws Error(Usage).
 const std::vector<std::string>& integrationNames();
 const char* integrationName(Integration integration);
@@ -46,6 +52,13 @@ Interpolation parseInterpolation(const std::string& name);
 const std::vector<std::string>& tableFormatNames();
 const char* tableFormatName(TableFormat format);
 TableFormat parseTableFormat(const std::string& name);
+const std::vector<std::string>& tableBuildNames();
+const char* tableBuildName(TableBuild build);
+TableBuild parseTableBuild(const std::string& name);
+
+// Whether a method integrates emission per length. Moments has luminance over optical depth, which is not there without
+// extinction; Ppi's table has Psi but not X (volume/optical_model.h).
+bool carriesEmissionPerLength(Integration integration);
 
 // 2 or 3 for a method that looks into a table of so many dimensions, 0 for the others.
 int tableDimensions(Integration integration);
@@ -62,6 +75,8 @@ struct TableOptions {
   std::optional<TableFormat> format;
   // The shader interpolates, even where the device can: fractions then have all their digits.
   bool forceFetch = false;
+
+  TableBuild build = TableBuild::Exact;  // of tables of three dimensions
 
   bool operator==(const TableOptions&) const = default;
 };

@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "gpu/commands.h"
+#include "render/integration/incremental_table.h"
 #include "render/integration/moment_pairs.h"
 #include "render/pipeline_variants.h"
 #include "shared/integration.h"
@@ -67,9 +68,13 @@ shared::TableParameters tableParameters(Integration integration, const gpu::Imag
   p.thickness = integration == Integration::Preint2d ? inputs.lengths.mean : inputs.lengths.longest;
   p.largestExtinction = peaks.extinction;
   // A table for one small thickness has small entries only (Roettger et al. 2000, section 4, scale by the largest).
+  // With emission per length entries hold light per length: at most the largest emission, which has no scale of its
+  // own.
+  const bool perLength = inputs.transfer.emission() == Emission::PerLength;
   const float largestOpacity = -std::expm1(-p.largestExtinction * p.thickness);
   p.opacityPerValue = integration == Integration::Preint2d && largestOpacity > 0.0f ? largestOpacity : 1.0f;
   p.lightPerValue = p.opacityPerValue * std::max(1.0f, peaks.luminance);
+  if (perLength) p.lightPerValue = peaks.luminance > 0.0f ? peaks.luminance : 1.0f;
   return p;
 }
 
@@ -82,6 +87,7 @@ void IntegrationTables::clear() {
   table3d_ = gpu::SampledImage(context_, {1, 1, 1}, VK_FORMAT_R8G8B8A8_UNORM, "no 3-D table");
   channels_ = 0;
   needsFetch_ = false;
+  tableBuild_.reset();
   buildMs_ = 0.0;
   bytes_ = 0;
   const gpu::Buffer texel = gpu::makeBuffer(context_, std::vector<std::uint32_t>{0}, "no table");
@@ -140,13 +146,18 @@ void IntegrationTables::buildImage(Integration integration, const TableOptions& 
   const shared::TableParameters parameters = tableParameters(integration, extent_, inputs);
   const gpu::SpecConstants constants = {
       {SPEC_TABLE_FORMAT, shaderValue(format_)},
+      {SPEC_EMISSION_PER_LENGTH, inputs.transfer.emission() == Emission::PerLength},
       {SPEC_INTEGRATION,
        integration == Integration::Preint3d ? shared::INTEGRATION_PREINT3D : shared::INTEGRATION_PREINT3D_LOG}};
   gpu::CommandBuffer commands(context_);
   ComputeVariants shader(context_, integration == Integration::Ppi         ? "tables/psi.comp"
                                    : integration == Integration::Opacity2d ? "tables/opacity.comp"
                                                                            : "tables/preintegrate.comp");
-  if (isPreintegrated(integration))
+  if (extent_.depth > 0) tableBuild_ = options.build;
+  std::optional<IncrementalTable> incremental;
+  if (tableBuild_ == TableBuild::Incremental)
+    incremental.emplace(context_, parameters, constants).record(commands, inputs.transfer, words);
+  else if (isPreintegrated(integration))
     commands.dispatch(shader.get(constants), {words, inputs.transfer.pieces(), inputs.transfer.pieceBins()}, parameters,
                       fours);
   else

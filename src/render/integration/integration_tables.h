@@ -39,11 +39,12 @@ class IntegrationTables {
   // Whether the shader has to interpolate between entries.
   bool needsFetch() const { return needsFetch_; }
 
-  double buildMs() const { return buildMs_; }         // that the last build took, 0 without a table
-  std::uint64_t sizeBytes() const { return bytes_; }  // of the table, 0 without one
+  double buildMs() const { return buildMs_; }                           // that the last build took, 0 without a table
+  std::optional<TableBuild> tableBuild() const { return tableBuild_; }  // of a table of three dimensions
+  std::uint64_t sizeBytes() const { return bytes_; }                    // of the table, 0 without one
 
-  // The table's entries as a shader sees them, row 0 of slice 0 first; those of one channel in all of xyz. The last
-  // build must have made an image.
+  // The table's entries as a shader sees them, row 0 of slice 0 first; those of one channel in all of xyz. With
+  // emission per length, light is per mesh unit of the segment. The last build must have made an image.
   std::vector<glm::vec4> read() const;
   const gpu::ImageExtent& extent() const { return extent_; }
 
@@ -64,6 +65,7 @@ class IntegrationTables {
   glm::vec4 valuePerEntry_{1.0f};
   bool needsFetch_ = false;
   double buildMs_ = 0.0;
+  std::optional<TableBuild> tableBuild_;
   std::uint64_t bytes_ = 0;
 };
 
