@@ -5,8 +5,8 @@
 #include "base/progress.h"
 #include "cli/commands.h"
 #include "cli/load_scene.h"
-#include "cli/picture_check.h"
 #include "cli/stats_json.h"
+#include "reference/picture_check.h"
 
 namespace tetralux::cli {
 namespace {
@@ -57,7 +57,7 @@ class BenchCommand : public Command {
     const Image image = renderer.readImage();
     run.firstFrameMs = millisecondsSinceStart();
     failOnValidationMessages();
-    const PictureCheck check = checkPicture(loaded, first, image, checkPixels_);
+    const reference::PictureCheck check = reference::checkPicture(loaded.exact(first), image, checkPixels_);
     if (!(check.rmse <= maxRmse_))
       fail(ErrorCode::Limit, "{}: RMSE {:.3g} over {} pixels, expected at most {:.3g}: not timed", path, check.rmse,
            check.pixels, maxRmse_);

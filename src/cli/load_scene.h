@@ -6,6 +6,7 @@
 
 #include "cli/common_options.h"
 #include "mesh/tet_mesh.h"
+#include "reference/ray_caster.h"
 #include "scene/scene_file.h"
 
 namespace tetralux::cli {
@@ -15,6 +16,11 @@ struct LoadedScene {
   TetMesh mesh;
   ScalarField field;
   double loadMs = 0.0;
+
+  // What the exact answer is asked for. Refers to this and to the camera.
+  reference::ReferenceScene exact(const Camera& camera) const {
+    return {mesh, field, scene.transferFunction, camera, scene.size};
+  }
 };
 
 // Whether a name is that of a scene (.json) and not of a mesh.

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/progress.h"
+#include "cli/certify_options.h"
 #include "cli/commands.h"
 #include "cli/frame_sequence.h"
 #include "cli/load_scene.h"
@@ -23,6 +24,7 @@ class RenderCommand : public Command {
     app.add_option("--frames", frames_, "Frames of a full turn about the camera's center (default: 1)")
         ->check(CLI::Range(1u, 1000000u));
     app.add_option("--stats", statsFile_, "Write statistics as JSON")->type_name("FILE.json");
+    certifyOptions_.add(app);
     sceneOptions_.add(app);
     deviceOptions_.add(app);
     exrOptions_.add(app);
@@ -40,6 +42,7 @@ class RenderCommand : public Command {
     render::Renderer renderer(context, loaded.mesh, loaded.field, rendererOptions);
     renderer.setTransferFunction(loaded.scene.transferFunction);
     options.timed = !statsFile_.empty();
+    Certifier certifier(certifyOptions_);
     RunStats run;
     Progress progress("render", frames_);
     for (std::uint32_t frame = 0; frame < frames_; frame++) {
@@ -48,12 +51,19 @@ class RenderCommand : public Command {
       const Image image = renderer.readImage(&stats);
       failOnValidationMessages();
       exr.attributes = settings(loaded, context.info(), stats);
+      const auto certificate = certifier.certify(loaded.exact(camera), image);
+      exr.attributes.insert(exr.attributes.end(), certificate.begin(), certificate.end());
       for (const FramePattern& pattern : patterns) writeImage(image, pattern.name(frame), loaded.scene, camera, exr);
       if (frame == 0) run.firstFrameMs = millisecondsSinceStart();
       run.frames.push_back(stats);
       progress.advance();
     }
-    if (!statsFile_.empty()) writeFile(statsFile_, statsJson(loaded, context.info(), renderer, run).dump(1) + "\n");
+    if (!statsFile_.empty()) {
+      nlohmann::ordered_json json = statsJson(loaded, context.info(), renderer, run);
+      json["certify"] = certifier.json();
+      writeFile(statsFile_, json.dump(1) + "\n");
+    }
+    certifier.report(input_);
     return 0;
   }
 
@@ -93,6 +103,7 @@ class RenderCommand : public Command {
   std::vector<std::string> outputs_;
   std::uint32_t frames_ = 1;
   std::string statsFile_;
+  CertifyOptions certifyOptions_;
   SceneOptions sceneOptions_;
   DeviceOptions deviceOptions_;
   ExrFormatOptions exrOptions_;

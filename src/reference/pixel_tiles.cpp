@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/parallel.h"
+#include "reference/pixel_counts.h"
 
 namespace tetralux::reference {
 namespace {
@@ -35,6 +36,17 @@ void pixelRange(const Range& range, std::uint32_t count, std::int32_t& low, std:
 std::array<glm::dvec3, 4> cellVertices(const TetMesh& mesh, size_t cell) {
   const CellVertices& v = mesh.cells[cell];
   return {mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3])};
+}
+
+std::array<double, 4> cellScalars(const TetMesh& mesh, const ScalarField& field, size_t cell) {
+  const std::vector<double>& values = field.values;
+  if (field.association == FieldAssociation::Cell) {
+    std::array<double, 4> same;
+    same.fill(values[cell]);
+    return same;
+  }
+  const CellVertices& v = mesh.cells[cell];
+  return {values[v[0]], values[v[1]], values[v[2]], values[v[3]]};
 }
 
 CellFootprint::CellFootprint(const Camera& camera, ImageSize size)
@@ -86,8 +98,7 @@ PixelBox CellFootprint::operator()(const std::array<glm::dvec3, 4>& vertices) co
   return box;
 }
 
-PixelTiles::PixelTiles(const TetMesh& mesh, const CellFootprint& footprint, ImageSize size,
-                       const std::vector<bool>& wanted)
+PixelTiles::PixelTiles(const TetMesh& mesh, const CellFootprint& footprint, ImageSize size, const PixelCounts* wanted)
     : columns_(columnsOf(size)), rows_(rowsOf(size)), starts_(static_cast<size_t>(columns_) * rows_ + 1, 0) {
   const size_t cellCount = mesh.cellCount();
   struct TileBox {
@@ -99,7 +110,7 @@ PixelTiles::PixelTiles(const TetMesh& mesh, const CellFootprint& footprint, Imag
     for (size_t cell = begin; cell < end; cell++) {
       const PixelBox box = footprint(cellVertices(mesh, cell));
       boxes[cell] =
-          box.empty()
+          box.empty() || (wanted && wanted->count(box) == 0)
               ? kNone
               : TileBox{static_cast<std::uint16_t>(box.lowX / kSide), static_cast<std::uint16_t>(box.lowY / kSide),
                         static_cast<std::uint16_t>(box.highX / kSide), static_cast<std::uint16_t>(box.highY / kSide)};
@@ -108,8 +119,7 @@ PixelTiles::PixelTiles(const TetMesh& mesh, const CellFootprint& footprint, Imag
   const auto forEachTile = [&](const TileBox& box, const auto& visit) {
     for (std::uint32_t y = box.lowY; y <= box.highY; y++) {
       for (std::uint32_t x = box.lowX; x <= box.highX; x++) {
-        const size_t tile = static_cast<size_t>(y) * columns_ + x;
-        if (wanted.empty() || wanted[tile]) visit(tile);
+        visit(static_cast<size_t>(y) * columns_ + x);
       }
     }
   };

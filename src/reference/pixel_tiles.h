@@ -33,13 +33,15 @@ class CellFootprint {
   bool perspective_;
 };
 
-// Square tiles of the image, each with the list of cells whose footprint reaches a wanted pixel's tile.
+class PixelCounts;
+
+// Square tiles of the image, each with the list of cells whose footprint holds a wanted pixel and reaches the tile.
 class PixelTiles {
  public:
   static constexpr std::int32_t kSide = 16;  // pixels
 
-  //   wanted   one flag per tile, row by row: tiles that hold no wanted pixel get no cells; empty: all are wanted
-  PixelTiles(const TetMesh& mesh, const CellFootprint& footprint, ImageSize size, const std::vector<bool>& wanted);
+  //   wanted   the pixels of interest; null: all are
+  PixelTiles(const TetMesh& mesh, const CellFootprint& footprint, ImageSize size, const PixelCounts* wanted);
 
   std::uint32_t columns() const { return columns_; }
   std::uint32_t rows() const { return rows_; }
@@ -58,5 +60,8 @@ class PixelTiles {
 
 // The four corners of a cell, world.
 std::array<glm::dvec3, 4> cellVertices(const TetMesh& mesh, size_t cell);
+
+// The scalars there; a cell's own value four times.
+std::array<double, 4> cellScalars(const TetMesh& mesh, const ScalarField& field, size_t cell);
 
 }  // namespace tetralux::reference

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <optional>
 #include <tuple>
 
 #include "base/check.h"
 #include "base/parallel.h"
 #include "base/progress.h"
 #include "reference/cell_ray.h"
+#include "reference/pixel_counts.h"
 #include "reference/pixel_tiles.h"
 #include "reference/segment_integral.h"
 
@@ -68,29 +70,19 @@ class TileCaster {
     const auto vertices = cellVertices(scene_.mesh, cell);
     const PixelBox box = footprint_(vertices);
     if (box.empty()) return;
-    const CellGeometry geometry(vertices, cellScalars(cell));
-    if (geometry.empty()) return;
     const auto rowOf = [](const Target& t) { return static_cast<std::int32_t>(t.position.y); };
     auto target =
         std::partition_point(targets.begin(), targets.end(), [&](const Target& t) { return rowOf(t) < box.lowY; });
+    std::optional<CellGeometry> geometry;  // made for the first target in the box: mostly there is none
     for (; target != targets.end() && rowOf(*target) <= box.highY; ++target) {
       const auto x = static_cast<std::int32_t>(target->position.x);
       if (x < box.lowX || x > box.highX) continue;
+      if (!geometry) geometry.emplace(vertices, cellScalars(scene_.mesh, scene_.field, cell));
+      if (geometry->empty()) return;
       const size_t i = static_cast<size_t>(target - targets.begin());
       CellSegment segment;
-      if (geometry.intersect(rays_[i], segment)) segments_[i].push_back({segment, cell});
+      if (geometry->intersect(rays_[i], segment)) segments_[i].push_back({segment, cell});
     }
-  }
-
-  std::array<double, 4> cellScalars(std::uint32_t cell) const {
-    const std::vector<double>& values = scene_.field.values;
-    if (scene_.field.association == FieldAssociation::Cell) {
-      std::array<double, 4> same;
-      same.fill(values[cell]);
-      return same;
-    }
-    const CellVertices& v = scene_.mesh.cells[cell];
-    return {values[v[0]], values[v[1]], values[v[2]], values[v[3]]};
   }
 
   const ReferenceScene& scene_;
@@ -102,8 +94,8 @@ class TileCaster {
 // The targets of a tile, sorted by row; the span may refer to `storage`.
 using TileTargets = std::function<std::span<const Target>(std::uint32_t tile, std::vector<Target>& storage)>;
 
-//   wanted   tiles that hold a target; empty: all
-void castTiles(const ReferenceScene& scene, const std::vector<bool>& wanted, const TileTargets& targetsOf,
+//   wanted   the targets' pixels; null: all
+void castTiles(const ReferenceScene& scene, const PixelCounts* wanted, const TileTargets& targetsOf,
                std::vector<ReferencePixel>& result) {
   const CellFootprint footprint(scene.camera, scene.size);
   const PixelTiles tiles(scene.mesh, footprint, scene.size, wanted);
@@ -114,8 +106,7 @@ void castTiles(const ReferenceScene& scene, const std::vector<bool>& wanted, con
   parallelFor(tileCount, 1, [&](size_t begin, size_t end, unsigned worker) {
     for (size_t i = begin; i < end; i++) {
       const auto tile = static_cast<std::uint32_t>(i);
-      if (wanted.empty() || wanted[tile])
-        casters[worker].cast(targetsOf(tile, storages[worker]), tiles.cells(tile), result);
+      casters[worker].cast(targetsOf(tile, storages[worker]), tiles.cells(tile), result);
       progress.advance();
     }
   });
@@ -130,7 +121,7 @@ std::vector<ReferencePixel> renderPixels(const ReferenceScene& scene) {
   const std::uint32_t columns = PixelTiles::columnsOf(size);
   std::vector<ReferencePixel> result(static_cast<size_t>(size.width) * size.height);
   castTiles(
-      scene, {},
+      scene, nullptr,
       [&](std::uint32_t tile, std::vector<Target>& storage) {
         const std::uint32_t x0 = tile % columns * kSide;
         const std::uint32_t y0 = tile / columns * kSide;
@@ -150,13 +141,13 @@ std::vector<ReferencePixel> renderPixels(const ReferenceScene& scene, std::span<
   const auto tileOf = [&](const PixelPosition& p) { return (p.y / kSide) * columns + p.x / kSide; };
   std::vector<Target> targets(positions.size());
   std::vector<size_t> starts(static_cast<size_t>(columns) * PixelTiles::rowsOf(scene.size) + 1, 0);
-  std::vector<bool> wanted(starts.size() - 1, false);
+  std::vector<bool> wanted(static_cast<size_t>(scene.size.width) * scene.size.height, false);
   for (size_t i = 0; i < positions.size(); i++) {
     CHECK_LT(positions[i].x, scene.size.width);
     CHECK_LT(positions[i].y, scene.size.height);
     targets[i] = {positions[i], i};
     starts[tileOf(positions[i]) + 1]++;
-    wanted[tileOf(positions[i])] = true;
+    wanted[static_cast<size_t>(positions[i].y) * scene.size.width + positions[i].x] = true;
   }
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
   std::sort(targets.begin(), targets.end(), [&](const Target& a, const Target& b) {
@@ -166,8 +157,9 @@ std::vector<ReferencePixel> renderPixels(const ReferenceScene& scene, std::span<
     return key(a) < key(b);
   });
   std::vector<ReferencePixel> result(positions.size());
+  const PixelCounts wantedCounts(scene.size, [&](size_t pixel) { return wanted[pixel]; });
   castTiles(
-      scene, wanted,
+      scene, &wantedCounts,
       [&](std::uint32_t tile, std::vector<Target>&) {
         return std::span<const Target>(targets).subspan(starts[tile], starts[tile + 1] - starts[tile]);
       },

@@ -65,6 +65,18 @@ double TransferFunction::largestExtinction() const {
   return largest;
 }
 
+bool TransferFunction::isTransparent(double low, double high) const {
+  const auto shows = [&](const OpticalSample& sample) {
+    return sample.extinction > 0.0 || (emission_ == Emission::PerLength && sample.luminance != glm::dvec3(0.0));
+  };
+  const size_t last = pieceIndex(high);
+  for (size_t i = pieceIndex(low); i <= last; i++) {
+    const TransferPiece& piece = pieces_[i];
+    if (shows(piece.at(std::max(low, piece.low))) || shows(piece.at(std::min(high, piece.high)))) return false;
+  }
+  return true;
+}
+
 TransferFunction TransferFunction::scaled(double factor) const {
   std::vector<ControlPoint> points = points_;
   for (ControlPoint& p : points) p.tau *= factor;

@@ -48,6 +48,9 @@ class TransferFunction {
 
   double largestExtinction() const;
 
+  // Whether no scalar from `low` to `high`, both included, absorbs or emits anything.
+  bool isTransparent(double low, double high) const;
+
   // The same with every extinction multiplied by `factor` >= 0 (the global brightness of Marroquim et al. 2008, section
   // 4.5). Emission per extinction scales with it, emission per length does not. Throws Error(Input) where an extinction
   // becomes infinite.

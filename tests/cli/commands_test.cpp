@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
@@ -169,6 +170,55 @@ TEST_F(Commands, BenchRefusesAWrongPicture) {
   const auto result = runTetralux({"bench", "m.vtu", "--size", "32x32", "--max-rmse", "0", "--quiet"}, dir_.path());
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.err, HasSubstr("not timed"));
+}
+
+TEST_F(Commands, CertifyMeasuresTheFrame) {
+  const auto result =
+      run({"render", "m.vtu", "--size", "64x48", "-o", "a.exr", "--quiet", "--stats", "s.json", "--certify", "300"});
+  EXPECT_THAT(result.out, HasSubstr("certify: 300 of "));
+  const json certify = json::parse(readTextFile(dir_ / "s.json"))["certify"];
+  EXPECT_EQ(certify["pixels"], 300);
+  EXPECT_EQ(certify["over"], 0);
+  EXPECT_NEAR(certify["tolerance"].get<double>(), 1.0 / 510.0, 1e-12);
+  EXPECT_LE(certify["p99"].get<double>(), certify["max"].get<double>());
+  EXPECT_NEAR(certify["share_over_bound"].get<double>(), 1.0 - std::pow(0.01, 1.0 / 300.0), 1e-9);
+  for (const char* key :
+       {"pixels", "covered_pixels", "seed", "tolerance", "max", "p99", "rmse", "over", "share_over_bound"})
+    EXPECT_TRUE(readExrAttribute(dir_ / "a.exr", std::string("tetralux.certify.") + key)) << key;
+  EXPECT_EQ(readExrAttribute(dir_ / "a.exr", "tetralux.certify.pixels"), "300");
+}
+
+TEST_F(Commands, CertifyRefusesAWrongPictureButWritesIt) {
+  dir_.write("peak.json", R"({"points": [{"s": -1, "rgb": [1, 1, 1], "tau": 0}, {"s": 0.49, "rgb": [1, 1, 1], "tau": 0},
+                                         {"s": 0.5, "rgb": [1, 1, 1], "tau": 500},
+                                         {"s": 0.51, "rgb": [1, 1, 1], "tau": 0}]})");
+  const std::vector<std::string> arguments = {"render",  "m.vtu",     "--tf",  "peak.json",    "--size",
+                                              "64x48",   "-o",        "p.exr", "--stats",      "s.json",
+                                              "--quiet", "--certify", "500",   "--integration"};
+  auto average = arguments;
+  average.push_back("average");
+  const auto wrong = runTetralux(average, dir_.path());
+  EXPECT_EQ(wrong.status, 1);
+  EXPECT_THAT(wrong.err, HasSubstr("m.vtu: largest error"));
+  EXPECT_TRUE(std::filesystem::exists(dir_ / "p.exr"));
+  EXPECT_GT(json::parse(readTextFile(dir_ / "s.json"))["certify"]["over"].get<int>(), 0);
+  average.insert(average.end(), {"--certify-tolerance", "1"});
+  run(average);
+  auto exact = arguments;
+  exact.push_back("exact");
+  run(exact);
+}
+
+TEST_F(Commands, CertifyReportsTheWorstFrame) {
+  const auto result = run({"render", "m.vtu", "--size", "32x32", "--frames", "3", "-o", "f_%d.exr", "--quiet",
+                           "--certify", "100000", "--stats", "s.json"});
+  const json certify = json::parse(readTextFile(dir_ / "s.json"))["certify"];
+  EXPECT_EQ(certify["frames"], 3);
+  double worst = 0.0;
+  for (const char* name : {"f_0.exr", "f_1.exr", "f_2.exr"})
+    worst = std::max(worst, std::stod(*readExrAttribute(dir_ / name, "tetralux.certify.max")));
+  EXPECT_EQ(certify["max"].get<double>(), worst);
+  EXPECT_THAT(result.out, HasSubstr("worst of 3 frames"));
 }
 
 TEST_F(Commands, InfoCountsWhatTheMeshHolds) {
