@@ -15,6 +15,8 @@
 #define SPEC_INTERPOLATION 11   // uint: what is interpolated over a fan's triangles (shared/integration.h)
 #define SPEC_TABLE_FETCH 12     // bool: tables are interpolated by the shader, not by the sampler
 #define SPEC_TABLE_FORMAT 13    // uint: how the entries of a table are stored (shared/integration.h)
+#define SPEC_PART_ACCURACY 14        // uint: which polynomials the exact method integrates its parts by (shared/integration.h)
+#define SPEC_LEAST_TRANSMITTANCE 15  // float: what lies behind it is left out
 #define SPEC_EMISSION_PER_LENGTH 20  // bool: light per unit of length, else per unit of extinction
 #define SPEC_OUTPUT 21               // uint: what is handed to the blending (shared/target_output.h)
 

@@ -14,7 +14,8 @@ void CertifyOptions::add(CLI::App& app) {
                  "error; exit status 1 when it is over the tolerance")
       ->type_name("N")
       ->check(CLI::Range(1u, 100000000u));
-  app.add_option("--certify-tolerance", tolerance, "Largest error per pixel and channel (default: 1/510)")
+  app.add_option("--certify-tolerance", ownTolerance,
+                 "Largest error per pixel and channel (default: that of --tolerance, or 1/510)")
       ->type_name("E")
       ->check([](const std::string& text) {
         double value = 0.0;

@@ -15,10 +15,13 @@ namespace tetralux::cli {
 
 // --certify N, --certify-tolerance E
 struct CertifyOptions {
-  std::uint32_t count = 0;  // pixels recomputed; 0: none
+  std::uint32_t count = 0;             // pixels recomputed; 0: none
+  std::optional<double> ownTolerance;  // --certify-tolerance
   double tolerance = 1.0 / 510.0;
 
   void add(CLI::App& app);
+  // Settles what a picture is held to: its own tolerance, or else the one that it is drawn with, or else 1/510.
+  void settle(std::optional<double> drawnWith) { tolerance = ownTolerance.value_or(drawnWith.value_or(tolerance)); }
 };
 
 // The certificates of a sequence of pictures.

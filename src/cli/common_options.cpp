@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -45,7 +46,9 @@ void DeviceOptions::add(CLI::App& app) {
       ->check(CLI::Range(1u, shared::BATCH_CELLS));
   app.add_option("--k", kBuffer, "Segments that --order kbuffer holds back at every pixel (default: 6)")
       ->check(CLI::Range(0u, shared::KBUFFER_LARGEST));
-  app.add_option("--projection", projection, "How cells become light in pixels (default: pt)")
+  app.add_option("--projection", projection,
+                 "How cells become light in pixels (default: auto, which is "
+                 "march on processors and pt on other devices)")
       ->check(CLI::IsMember(render::projectionNames()));
   app.add_option("--order", order, "Order in which cells are drawn (default: auto)")
       ->check(CLI::IsMember(render::orderNames()));
@@ -55,6 +58,10 @@ void DeviceOptions::add(CLI::App& app) {
                  "What is interpolated over a cell's triangles: as perspective has it, or linearly on the screen "
                  "(default: perspective)")
       ->check(CLI::IsMember(render::interpolationNames()));
+  app.add_option("--tolerance", tolerance,
+                 "Largest error per pixel and channel, such as 0.002 or 1/510: draw as cheaply as is known to keep it "
+                 "(default: as exactly as single precision can)")
+      ->type_name("E");
   addTable(app);
   app.add_option("--force-path", forcePath, "For tests: take a code path that this device would not choose")
       ->check(CLI::IsMember({"wide-addressing", "sort-tiles", "sort-chunks", "table-fetch"}));
@@ -95,10 +102,20 @@ render::RenderOptions DeviceOptions::renderOptions() const {
   return options;
 }
 
+std::optional<double> DeviceOptions::toleranceValue() const {
+  return tolerance.empty() ? std::nullopt : std::optional(parseTolerance(tolerance));
+}
+
 render::RendererOptions DeviceOptions::rendererOptions() const {
   render::RendererOptions options;
   options.projection = render::parseProjection(projection);
   options.order = render::parseOrder(order);
+  options.tolerance = toleranceValue();
+  // What only cells that are drawn have.
+  const std::string_view blended[] = {"rgba8", "rgba8-dither", "rgba16f", "rgba16f-chunked"};
+  const bool isBlended = std::find(std::begin(blended), std::end(blended), target) != std::end(blended);
+  if (options.projection == render::CellProjection::Auto && (isBlended || interpolation == "screen"))
+    options.projection = render::CellProjection::Pt;
   options.kBuffer = kBuffer;
   options.forceWideAddressing = forcePath == "wide-addressing";
   if (forcePath == "sort-tiles") options.sortVariant = render::SortVariant::Tiles;
@@ -114,6 +131,21 @@ void addQuiet(CLI::App& app) {
         spdlog::set_level(spdlog::level::err);
       },
       "No progress and no remarks, errors only");
+}
+
+double parseTolerance(const std::string& text) {
+  const auto number = [&](size_t begin, size_t end) {
+    double value = 0.0;
+    const auto [stop, error] = std::from_chars(text.data() + begin, text.data() + end, value);
+    return error == std::errc() && stop == text.data() + end ? value : 0.0;
+  };
+  const size_t slash = text.find('/');
+  const double value =
+      slash == std::string::npos ? number(0, text.size()) : number(0, slash) / number(slash + 1, text.size());
+  if (!(value > 0.0 && value <= 1.0))
+    fail(ErrorCode::Usage, "--tolerance: found '{}', expected a number above 0 and at most 1, such as 0.002 or 1/510",
+         text);
+  return value;
 }
 
 ImageSize parseSize(const std::string& text) {

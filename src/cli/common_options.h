@@ -30,11 +30,12 @@ struct DeviceOptions {
   std::string target = "rgba32f";
   std::uint32_t chunkCells = 0;
   std::string forcePath;
-  std::string projection = "pt";
+  std::string projection = "auto";
   std::string order = "auto";
   std::uint32_t kBuffer = 6;
   std::string integration = "exact";
   std::string interpolation = "perspective";
+  std::string tolerance;    // empty: none
   std::string tableSize;    // empty: the method's
   std::string tableFormat;  // empty: the method's
   std::string tableBuild = "exact";
@@ -48,10 +49,15 @@ struct DeviceOptions {
   // Everything that is chosen per frame; not timed. Throws Error(Usage).
   render::RenderOptions renderOptions() const;
   render::TableOptions tableOptions() const;
+  // Throws Error(Usage).
+  std::optional<double> toleranceValue() const;
 };
 
 // --quiet: no progress, no log lines below errors.
 void addQuiet(CLI::App& app);
+
+// Parses an error, "0.002" or "1/510", above 0 and at most 1. Throws Error(Usage).
+double parseTolerance(const std::string& text);
 
 // Parses "WxH". Throws Error(Usage).
 ImageSize parseSize(const std::string& text);

@@ -30,6 +30,7 @@ class InfoCommand : public Command {
   int run() override {
     // Without a view there need not be a field to draw.
     LoadedScene loaded;
+    if (deviceOptions_.projection == "auto") deviceOptions_.projection = "pt";
     if (orders_ && deviceOptions_.projection == "march")
       fail(ErrorCode::Usage,
            "--orders: found '--projection march', expected pt, silhouette or gator: rays need no order");

@@ -24,6 +24,7 @@ class RenderCommand : public Command {
     app.add_option("--frames", frames_, "Frames of a full turn about the camera's center (default: 1)")
         ->check(CLI::Range(1u, 1000000u));
     app.add_option("--stats", statsFile_, "Write statistics as JSON")->type_name("FILE.json");
+    app.add_flag("--explain", explain_, "Print how the tolerance is kept: each decision, with the figure it rests on");
     certifyOptions_.add(app);
     sceneOptions_.add(app);
     deviceOptions_.add(app);
@@ -32,6 +33,9 @@ class RenderCommand : public Command {
   }
 
   int run() override {
+    if (explain_ && deviceOptions_.tolerance.empty())
+      fail(ErrorCode::Usage, "--explain: found no --tolerance, expected one: there is nothing to decide");
+    certifyOptions_.settle(deviceOptions_.toleranceValue());
     const std::vector<FramePattern> patterns = outputPatterns();
     ExrOptions exr = exrOptions_.exrOptions();
     render::RenderOptions options = deviceOptions_.renderOptions();
@@ -54,7 +58,10 @@ class RenderCommand : public Command {
       const auto certificate = certifier.certify(loaded.exact(camera), image);
       exr.attributes.insert(exr.attributes.end(), certificate.begin(), certificate.end());
       for (const FramePattern& pattern : patterns) writeImage(image, pattern.name(frame), loaded.scene, camera, exr);
-      if (frame == 0) run.firstFrameMs = millisecondsSinceStart();
+      if (frame == 0) {
+        run.firstFrameMs = millisecondsSinceStart();
+        if (explain_) printPlan(*stats.plan);
+      }
       run.frames.push_back(stats);
       progress.advance();
     }
@@ -83,6 +90,12 @@ class RenderCommand : public Command {
     return patterns;
   }
 
+  static void printPlan(const render::TolerancePlan& plan) {
+    fmt::print("tolerance    {:.4g} per pixel and channel\n", plan.tolerance);
+    for (const render::ToleranceDecision& decision : plan.decisions)
+      fmt::print("{:<12} {}: {:.3g}; {}\n", decision.what, decision.choice, decision.figure, decision.reason);
+  }
+
   // What the picture's header says about how it was made.
   static std::vector<std::pair<std::string, std::string>> settings(const LoadedScene& loaded,
                                                                    const gpu::DeviceInfo& device,
@@ -103,6 +116,7 @@ class RenderCommand : public Command {
   std::vector<std::string> outputs_;
   std::uint32_t frames_ = 1;
   std::string statsFile_;
+  bool explain_ = false;
   CertifyOptions certifyOptions_;
   SceneOptions sceneOptions_;
   DeviceOptions deviceOptions_;

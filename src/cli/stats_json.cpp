@@ -62,6 +62,17 @@ double medianReadbackMs(const std::vector<render::FrameStats>& frames) {
   return medianOf(frames, [](const render::FrameStats& frame) { return frame.readbackMs; });
 }
 
+nlohmann::ordered_json toleranceJson(const std::optional<render::TolerancePlan>& plan) {
+  if (!plan) return nullptr;
+  nlohmann::ordered_json decisions = nlohmann::ordered_json::array();
+  for (const render::ToleranceDecision& decision : plan->decisions)
+    decisions.push_back({{"what", decision.what},
+                         {"choice", decision.choice},
+                         {"reason", decision.reason},
+                         {"figure", decision.figure}});
+  return {{"value", plan->tolerance}, {"decisions", decisions}};
+}
+
 nlohmann::ordered_json statsJson(const LoadedScene& loaded, const gpu::DeviceInfo& device,
                                  const render::Renderer& renderer, const RunStats& run) {
   const render::FrameStats& last = run.frames.back();
@@ -81,6 +92,7 @@ nlohmann::ordered_json statsJson(const LoadedScene& loaded, const gpu::DeviceInf
   json["projection"] = render::projectionName(renderer.projection());
   json["order"] = render::orderName(last.order.order);
   json["target"] = render::targetName(last.target);
+  json["tolerance"] = toleranceJson(last.plan);
   json["frames"] = run.frames.size();
   json["tets"] = loaded.mesh.cellCount();
   json["points"] = loaded.mesh.pointCount();

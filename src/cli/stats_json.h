@@ -22,6 +22,9 @@ nlohmann::ordered_json statsJson(const LoadedScene& loaded, const gpu::DeviceInf
 // What is known about the order of a frame: the object "order_check". Counts that were not made are null.
 nlohmann::ordered_json orderJson(const render::OrderReport& report);
 
+// How a tolerance is kept: its value and the decisions; null without one.
+nlohmann::ordered_json toleranceJson(const std::optional<render::TolerancePlan>& plan);
+
 // Median of a pass's times, ms; 0 when it was not timed.
 double medianPassMs(const std::vector<render::FrameStats>& frames, const std::string& pass);
 double medianFrameMs(const std::vector<render::FrameStats>& frames);

@@ -1,6 +1,7 @@
 // How cells become light in pixels, as a choice.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,11 +12,24 @@ enum class CellProjection {
   Silhouette,  // the outline of the cell; both ends of the ray are found per fragment (Weiler et al. 2003)
   Gator,       // the same triangles as Pt; the vertex shader projects (Wylie et al. 2002)
   March,       // rays walk from cell to cell: no projection, and no order is needed
+  Auto,        // chooseProjection()
 };
 
 // Names on the command line and in statistics, in the order above; parseProjection throws Error(Usage).
 const std::vector<std::string>& projectionNames();
 const char* projectionName(CellProjection projection);
 CellProjection parseProjection(const std::string& name);
+
+struct ProjectionChoice {
+  CellProjection projection = CellProjection::Pt;  // never Auto
+  std::string reason;
+  double figure = 0.0;  // that it rests on
+};
+
+// What CellProjection::Auto becomes.
+//   isProcessor   the device is a processor that runs shaders, where triangles cost most
+//   isWalkable    no cells overlap, and nothing was asked for that only drawn cells have: rays may walk
+//   tolerance     largest error that is allowed, if one was given
+ProjectionChoice chooseProjection(bool isProcessor, bool isWalkable, std::optional<double> tolerance);
 
 }  // namespace tetralux::render

@@ -36,21 +36,32 @@ Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const Scala
       mesh_(context, mesh, field),
       wideAddressing_(options.forceWideAddressing || needsWideAddressing(context.info(), mesh_)),
       checkOrder_(options.checkOrder),
-      projection_(options.projection),
+      tolerance_(options.tolerance),
+      projection_{options.projection, "asked for", 0.0},
       target_(context) {
-  if (projection_ == CellProjection::March) {
+  std::optional<Adjacency> adjacency;
+  std::optional<std::vector<std::array<std::uint32_t, 2>>> overlaps;
+  if (options.projection == CellProjection::Auto) {
+    const bool mayWalk = context.info().isCpu && options.order == Order::Auto;
+    if (mayWalk) {
+      adjacency = makeAdjacency(mesh);
+      overlaps = findOverlaps(mesh, *adjacency);
+    }
+    projection_ = chooseProjection(context.info().isCpu, mayWalk && overlaps->empty(), options.tolerance);
+  }
+  if (projection() == CellProjection::March) {
     marchPass_ = std::make_unique<MarchPass>(context);
-    Adjacency adjacency = makeAdjacency(mesh);
-    cutFolds(mesh, adjacency);
-    marchStorage_ = std::make_unique<MarchStorage>(context, adjacency);
+    if (!adjacency) adjacency = makeAdjacency(mesh);
+    cutFolds(mesh, *adjacency);
+    marchStorage_ = std::make_unique<MarchStorage>(context, *adjacency);
     return;
   }
   passes_ = std::make_unique<FramePasses>(context);
-  storage_ = std::make_unique<FrameStorage>(context, mesh_.cellCount(), sortVariant(context, options), projection_);
-  std::optional<Adjacency> adjacency;
+  storage_ = std::make_unique<FrameStorage>(context, mesh_.cellCount(), sortVariant(context, options), projection());
   if (options.checkOrder || needsVisibility(options.order)) {
-    adjacency = makeAdjacency(mesh);
-    visibility_ = std::make_unique<VisibilityKit>(context, *adjacency, findOverlaps(mesh, *adjacency));
+    if (!adjacency) adjacency = makeAdjacency(mesh);
+    if (!overlaps) overlaps = findOverlaps(mesh, *adjacency);
+    visibility_ = std::make_unique<VisibilityKit>(context, *adjacency, *overlaps);
   }
   order_ = makeOrder(context, {mesh, mesh_.space(), adjacency ? &*adjacency : nullptr}, options.order, options.kBuffer,
                      sortVariant(context, options), visibility_.get());
@@ -59,6 +70,9 @@ Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const Scala
 void Renderer::setTransferFunction(const TransferFunction& transfer) {
   transfer_ = std::make_unique<TransferBuffer>(context_, transfer, mesh_.space());
   choice_.reset();
+  plan_.reset();
+  luminance_ = largestLuminance(transfer, space().scalarCenter - 0.5 * space().scalarRange,
+                                space().scalarCenter + 0.5 * space().scalarRange);
   // Psi does not depend on it.
   if (built_ && built_->first != Integration::Ppi) built_.reset();
 }
@@ -71,18 +85,34 @@ void Renderer::checkMethod(const RenderOptions& options) const {
     refuse("--integration", integrationName(options.integration), "emission per length",
            "a method other than moments and ppi");
   if (options.interpolation == Interpolation::Screen &&
-      (projection_ == CellProjection::Silhouette || projection_ == CellProjection::March))
+      (projection() == CellProjection::Silhouette || projection() == CellProjection::March))
     refuse("--interpolation", "screen", "a projection that interpolates nothing", "--projection pt or gator");
+  if (tolerance_ && options.integration != Integration::Exact)
+    refuse("--integration", integrationName(options.integration), "a tolerance", "exact, which has bounds");
+  if (tolerance_ && options.interpolation == Interpolation::Screen)
+    refuse("--interpolation", "screen", "a tolerance", "perspective");
 }
 
-void Renderer::prepareTables(const RenderOptions& options) {
+void Renderer::preparePlan() {
+  if (!tolerance_ || plan_) return;
+  if (transfer_->emission() == Emission::PerLength) {
+    plan_ = planForEmissionPerLength(*tolerance_);
+  } else {
+    const double limit = kIntegrationShare * *tolerance_;
+    plan_ = planTolerance(*tolerance_, luminance_, classifyCells(context_, mesh_, *transfer_, wideAddressing_, limit));
+  }
+  plan_->decisions.insert(plan_->decisions.begin(),
+                          {"projection", projectionName(projection()), projection_.reason, projection_.figure});
+}
+
+void Renderer::prepareTables(Integration integration, const TableOptions& options) {
   if (!tables_) tables_ = std::make_unique<IntegrationTables>(context_);
-  const std::pair wanted{options.integration, options.table};
+  const std::pair wanted{integration, options};
   if (built_ == wanted) return;
   built_.reset();
-  if (tableDimensions(options.integration) > 0 && options.integration != Integration::Ppi && !lengths_)
+  if (tableDimensions(integration) > 0 && integration != Integration::Ppi && !lengths_)
     lengths_ = measureCellLengths(context_, mesh_, wideAddressing_);
-  tables_->build(options.integration, options.table, {*transfer_, lengths_.value_or(CellLengths{})});
+  tables_->build(integration, options, {*transfer_, lengths_.value_or(CellLengths{})});
   built_ = wanted;
 }
 
@@ -98,8 +128,8 @@ OrderReport Renderer::drawInto(gpu::Recorder& recorder, const Camera& camera, Im
   variant.cellField = mesh_.isCellField();
   variant.nearCells = setup.nearCells;
   variant.wideAddressing = wideAddressing_;
-  variant.silhouette = projection_ == CellProjection::Silhouette;
-  variant.gator = projection_ == CellProjection::Gator;
+  variant.silhouette = projection() == CellProjection::Silhouette;
+  variant.gator = projection() == CellProjection::Gator;
   variant.emissionPerLength = transfer_->emission() == Emission::PerLength;
   variant.integration = integration;
   variant.output = output;
@@ -116,7 +146,8 @@ Target Renderer::chooseTarget(const Camera& camera, ImageSize size, const Integr
   if (choice_ && choice_->camera == camera && choice_->size == size && choice_->integration == integration)
     return choice_->target;
   // Nothing is blended: rays gather light in registers, and a pixel is rounded once.
-  if (marchPass_) return halfFloatHolds(1.0, /*roundsToNearest=*/true) ? Target::Rgba16f : Target::Rgba32f;
+  const double limit = tolerance_ ? kRoundingShare * *tolerance_ : kHalfFloatLimit;
+  if (marchPass_) return halfFloatHolds(1.0, /*roundsToNearest=*/true, limit) ? Target::Rgba16f : Target::Rgba32f;
   if (!roundsToNearest_) roundsToNearest_ = halfBlendingRoundsToNearest(context_);
   const auto part = [](std::uint32_t side) { return (side + kMeasureStep - 1) / kMeasureStep; };
   const ImageSize smaller{part(size.width), part(size.height)};
@@ -128,7 +159,8 @@ Target Renderer::chooseTarget(const Camera& camera, ImageSize size, const Integr
            /*checkOrder=*/false);
   double worst = 0.0;
   for (const glm::vec4& pixel : images.read().pixels) worst = std::max(worst, static_cast<double>(pixel.x));
-  choice_ = {camera, size, integration, halfFloatHolds(worst, *roundsToNearest_) ? Target::Rgba16f : Target::Rgba32f};
+  choice_ = {camera, size, integration,
+             halfFloatHolds(worst, *roundsToNearest_, limit) ? Target::Rgba16f : Target::Rgba32f};
   stats.frameMs += recorder.totalMs();
   if (timing != gpu::PassTiming::Off) stats.passes.push_back({"measure", recorder.totalMs()});
   return choice_->target;
@@ -138,10 +170,18 @@ FrameStats Renderer::draw(const Camera& camera, ImageSize size, const RenderOpti
   CHECK(transfer_ != nullptr);
   const gpu::PassTiming timing = options.timed ? gpu::bestTiming(context_.info()) : gpu::PassTiming::Off;
   FrameStats stats;
-  stats.projection = projection_;
+  stats.projection = projection();
   checkMethod(options);
-  prepareTables(options);
-  const IntegrationVariant integration{options.integration, options.interpolation, tables_->needsFetch()};
+  preparePlan();
+  IntegrationVariant integration{options.integration, options.interpolation};
+  if (plan_) {
+    integration.integration = plan_->integration;
+    integration.accuracy = plan_->accuracy;
+    integration.leastTransmittance = plan_->leastTransmittance;
+    stats.plan = plan_;
+  }
+  prepareTables(integration.integration, options.table);
+  integration.tableFetch = tables_->needsFetch();
   stats.target =
       options.target == Target::Auto ? chooseTarget(camera, size, integration, timing, stats) : options.target;
   target_.prepare(size, stats.target);
@@ -155,7 +195,7 @@ FrameStats Renderer::draw(const Camera& camera, ImageSize size, const RenderOpti
   stats.drawnCells = counters.drawn;
   stats.triangles = counters.triangles;
   stats.clippedCells = counters.clipped;
-  if (projection_ == CellProjection::Gator) {
+  if (projection() == CellProjection::Gator) {
     stats.triangles = std::uint64_t{counters.drawn} * (shared::FAN_INDICES / 3);
     stats.clippedCells.reset();
   }
@@ -164,7 +204,7 @@ FrameStats Renderer::draw(const Camera& camera, ImageSize size, const RenderOpti
   stats.culledTransparent = counters.transparent;
   stats.passes.insert(stats.passes.end(), recorder.passTimes().begin(), recorder.passTimes().end());
   stats.frameMs += recorder.totalMs();
-  stats.integration = options.integration;
+  stats.integration = integration.integration;
   stats.interpolation = options.interpolation;
   stats.tableBuild = tables_->tableBuild();
   stats.tablesMs = tables_->buildMs();

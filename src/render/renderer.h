@@ -13,6 +13,7 @@
 #include "render/frame.h"
 #include "render/order/order_check.h"
 #include "render/projection.h"
+#include "render/tolerance/tolerance_plan.h"
 #include "view/camera.h"
 #include "volume/transfer_function.h"
 
@@ -33,9 +34,14 @@ struct RendererOptions {
   bool forceWideAddressing = false;
   std::optional<SortVariant> sortVariant;  // nothing: the best for the device
   CellProjection projection = CellProjection::Pt;
-  Order order = Order::Auto;  // CellProjection::March needs none and is always right
+  Order order =
+      Order::Auto;  // CellProjection::March needs none and is always right; with Auto, any other keeps cells drawn
   std::uint32_t kBuffer = 6;  // segments buffered per pixel by Order::KBuffer, 1 to KBUFFER_LARGEST
-  bool checkOrder = false;    // count what the order gets wrong, every frame (costs about as much as the cull pass)
+  // Largest error per pixel and channel that is allowed, > 0: frames with Integration::Exact, and what is Auto, are
+  // then drawn as cheaply as is known to keep it (tolerance/tolerance_plan.h). Nothing: as exactly as single precision
+  // can.
+  std::optional<double> tolerance;
+  bool checkOrder = false;  // count what the order gets wrong, every frame (costs about as much as the cull pass)
 };
 
 struct FrameStats {
@@ -53,6 +59,7 @@ struct FrameStats {
   Integration integration = Integration::Exact;
   Interpolation interpolation = Interpolation::Perspective;
   std::optional<TableBuild> tableBuild;  // of a table of three dimensions
+  std::optional<TolerancePlan> plan;     // how the tolerance is kept, if one was given
   double tablesMs = 0.0;                 // that building the method's table took, before this frame or an earlier one
   double frameMs = 0.0;                  // device work until the picture is ready there
   double readbackMs = 0.0;               // picture to host memory
@@ -85,13 +92,14 @@ class Renderer {
 
   MemoryUse memoryUse() const;
   const MeshSpace& space() const { return mesh_.space(); }
-  CellProjection projection() const { return projection_; }
+  CellProjection projection() const { return projection_.projection; }
 
  private:
   // Throws Error(Usage) for a method that cannot carry the transfer function's emission or does not go with the
   // projection.
   void checkMethod(const RenderOptions& options) const;
-  void prepareTables(const RenderOptions& options);
+  void preparePlan();
+  void prepareTables(Integration integration, const TableOptions& options);
   OrderReport drawInto(gpu::Recorder& recorder, const Camera& camera, ImageSize size,
                        const IntegrationVariant& integration, std::uint32_t output, const FrameTarget& target,
                        bool checkOrder);
@@ -104,7 +112,10 @@ class Renderer {
   GpuMesh mesh_;
   bool wideAddressing_;
   bool checkOrder_;
-  CellProjection projection_;
+  std::optional<double> tolerance_;
+  ProjectionChoice projection_;
+  std::optional<TolerancePlan> plan_;  // for transfer_
+  double luminance_ = 0.0;             // largest of transfer_ over the field's range
   // Of projected cells:
   std::unique_ptr<FramePasses> passes_;
   std::unique_ptr<FrameStorage> storage_;

@@ -29,12 +29,12 @@ bool halfBlendingRoundsToNearest(const gpu::Context& context) {
   return glm::unpackHalf4x16(readback.as<std::uint64_t>()[0]).x > 0.5f;
 }
 
-bool halfFloatHolds(double roundings, bool roundsToNearest) {
+bool halfFloatHolds(double roundings, bool roundsToNearest, double limit) {
   // A step of 16-bit floats below 1. To nearest: three standard deviations of a sum of evenly distributed errors.
   // Towards zero: a whole step each, because of a few layers some pixel loses nearly that.
   const double step = std::exp2(-11.0);
   const double error = roundsToNearest ? 3.0 * step * std::sqrt(roundings / 12.0) : step * roundings;
-  return error < 1.0 / 512.0;
+  return error < limit;
 }
 
 }  // namespace tetralux::render

@@ -9,9 +9,11 @@ namespace tetralux::render {
 // Vulkan leaves it open. Blends one pixel to find out.
 bool halfBlendingRoundsToNearest(const gpu::Context& context);
 
-// Whether a picture blended in RGBA16F errs by less than 1/512 of its brightest value.
+inline constexpr double kHalfFloatLimit = 1.0 / 512.0;
+
+// Whether a picture blended in RGBA16F errs by less than `limit` of its brightest value.
 //   roundings   sum T_i^2 (rounding to nearest) or sum T_i (towards zero) over the layers of the worst pixel, T_i the
 //               transmittance in front of layer i (shared/target_output.h)
-bool halfFloatHolds(double roundings, bool roundsToNearest);
+bool halfFloatHolds(double roundings, bool roundsToNearest, double limit = kHalfFloatLimit);
 
 }  // namespace tetralux::render

@@ -91,7 +91,7 @@ TEST_F(Commands, FramesMakeAFullTurn) {
 }
 
 TEST_F(Commands, StatisticsHaveTheirFixedKeys) {
-  run({"render", "m.vtu", "--size", "32x32", "-o", "a.exr", "--quiet", "--stats", "s.json"});
+  run({"render", "m.vtu", "--size", "32x32", "-o", "a.exr", "--projection", "pt", "--quiet", "--stats", "s.json"});
   const json stats = json::parse(readTextFile(dir_ / "s.json"));
   for (const char* key :
        {"device", "driver", "width", "height", "integration", "interpolation", "projection", "order", "target", "tets",
@@ -257,11 +257,53 @@ TEST_F(Commands, HalfExrAndTargetsAreWritten) {
 }
 
 TEST_F(Commands, AutoTargetSaysWhatItTook) {
-  run({"render", "m.vtu", "--size", "32x32", "-o", "t.exr", "--target", "auto", "--quiet", "--stats", "s.json"});
+  run({"render", "m.vtu", "--size", "32x32", "-o", "t.exr", "--projection", "pt", "--target", "auto", "--quiet",
+       "--stats", "s.json"});
   const json stats = json::parse(readTextFile(dir_ / "s.json"));
   EXPECT_THAT(stats["target"].get<std::string>(), ::testing::AnyOf("rgba32f", "rgba16f"));
   EXPECT_EQ(readExrAttribute(dir_ / "t.exr", "tetralux.target"), stats["target"].get<std::string>());
   EXPECT_GT(stats["ms"]["measure"].get<double>(), 0.0);
+}
+
+TEST_F(Commands, ProjectionIsChosenUnlessAskedFor) {
+  const auto drawnBy = [&](std::vector<std::string> options) {
+    options.insert(options.begin(),
+                   {"render", "m.vtu", "--size", "32x32", "-o", "p.exr", "--quiet", "--stats", "s.json"});
+    run(options);
+    return json::parse(readTextFile(dir_ / "s.json"))["projection"].get<std::string>();
+  };
+  EXPECT_THAT(drawnBy({}), ::testing::AnyOf("march", "pt"));
+  EXPECT_EQ(drawnBy({"--projection", "gator"}), "gator");
+  // What only cells that are drawn have.
+  EXPECT_EQ(drawnBy({"--order", "radix"}), "pt");
+  EXPECT_EQ(drawnBy({"--interpolation", "screen"}), "pt");
+  EXPECT_EQ(drawnBy({"--target", "rgba8"}), "pt");
+}
+
+TEST_F(Commands, ToleranceIsKeptAndExplained) {
+  for (const char* tolerance : {"1/32", "0.002"}) {
+    const auto result = run({"render", "m.vtu", "--size", "48x48", "-o", "t.exr", "--tolerance", tolerance, "--explain",
+                             "--certify", "4000", "--stats", "s.json", "--quiet"});
+    const json stats = json::parse(readTextFile(dir_ / "s.json"));
+    const double value = stats["tolerance"]["value"];
+    EXPECT_NEAR(value, std::string(tolerance) == "1/32" ? 1.0 / 32.0 : 0.002, 1e-12);
+    EXPECT_EQ(stats["certify"]["tolerance"].get<double>(), value);
+    EXPECT_LE(stats["certify"]["max"].get<double>(), value);
+    ASSERT_GE(stats["tolerance"]["decisions"].size(), 3u);
+    for (const auto& decision : stats["tolerance"]["decisions"])
+      EXPECT_THAT(result.out, HasSubstr(decision["choice"].get<std::string>()));
+  }
+  run({"render", "m.vtu", "--size", "48x48", "-o", "t.exr", "--stats", "s.json", "--quiet"});
+  EXPECT_TRUE(json::parse(readTextFile(dir_ / "s.json"))["tolerance"].is_null());
+}
+
+TEST_F(Commands, BadTolerancesAreRefused) {
+  for (const char* text : {"0", "-1", "2", "1/0", "1/", "x", "1/2/3", ""}) {
+    const auto result = runTetralux({"render", "m.vtu", "--tolerance=" + std::string(text)}, dir_.path());
+    EXPECT_EQ(result.status, 2) << text;
+  }
+  EXPECT_EQ(runTetralux({"render", "m.vtu", "--explain"}, dir_.path()).status, 2);
+  EXPECT_EQ(runTetralux({"render", "m.vtu", "--tolerance", "0.1", "--integration", "ppi"}, dir_.path()).status, 2);
 }
 
 TEST_F(Commands, OpacityScaleMultipliesExtinctions) {

@@ -30,7 +30,8 @@ Segment roundedSegment(const Segment& segment) {
 
 std::vector<glm::vec4> integrateOnDevice(const gpu::Context& context, const TransferFunction& transfer,
                                          const std::vector<Segment>& segments, render::Integration integration,
-                                         const render::TableOptions& options, const render::CellLengths& lengths) {
+                                         const render::TableOptions& options, const render::CellLengths& lengths,
+                                         render::PartAccuracy accuracy) {
   const render::MeshSpace space = unitSpace();
   const render::TransferBuffer pieces(context, transfer, space);
   render::IntegrationTables tables(context);
@@ -44,7 +45,8 @@ std::vector<glm::vec4> integrateOnDevice(const gpu::Context& context, const Tran
   CHECK(file != nullptr);
   const gpu::Shader shader(context, "test/integrate.comp",
                            {reinterpret_cast<const std::uint32_t*>(file->data), file->sizeBytes / 4});
-  const render::IntegrationVariant variant{integration, render::Interpolation::Perspective, tables.needsFetch()};
+  const render::IntegrationVariant variant{integration, render::Interpolation::Perspective, tables.needsFetch(),
+                                           accuracy};
   gpu::SpecConstants constants = variant.specConstants();
   constants.push_back({SPEC_EMISSION_PER_LENGTH, transfer.emission() == Emission::PerLength});
   const gpu::ComputePipeline pipeline(context, shader, constants);

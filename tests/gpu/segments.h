@@ -26,7 +26,8 @@ std::vector<glm::vec4> integrateOnDevice(const gpu::Context& context, const Tran
                                          const std::vector<Segment>& segments,
                                          render::Integration integration = render::Integration::Exact,
                                          const render::TableOptions& options = {},
-                                         const render::CellLengths& lengths = {});
+                                         const render::CellLengths& lengths = {},
+                                         render::PartAccuracy accuracy = render::PartAccuracy::Full);
 
 // Largest difference over segments and channels from the double-precision integral; not a number counts as a failure of
 // the test.

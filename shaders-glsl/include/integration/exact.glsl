@@ -3,31 +3,50 @@
 // The scalar is linear along the segment, so extinction and luminance are linear between the places where the scalar
 // meets a control point. The segment is walked from the front, a part at a time; a part ends at the next control point
 // or where its optical depth would exceed kLargestPartDepth, so that one polynomial is accurate for every part and no
-// special function is needed. What lies behind an opacity of kOpaque adds less than a rounding error.
+// special function is needed.
 // This is also Moreland and Angel's (2004, section 3.2) adaptive sampling: a sample at every control point.
 //
-// Before including: shared/spec_ids.h, and what transfer_pieces.glsl wants.
+// Before including: shared/integration.h, shared/spec_ids.h, and what transfer_pieces.glsl wants.
 #ifndef TETRALUX_INTEGRATION_EXACT
 #define TETRALUX_INTEGRATION_EXACT
 
 #include "include/integration/transfer_pieces.glsl"
 
+layout(constant_id = SPEC_PART_ACCURACY) const uint kPartAccuracy = PART_FULL;
+// exp(-16): what lies behind adds less than a rounding error. A frame that may err by more leaves out more.
+layout(constant_id = SPEC_LEAST_TRANSMITTANCE) const float kLeastTransmittance = 1.1e-7;
+
 const float kLargestPartDepth = 1.0;
 const int kMostParts = 1 << 20;       // more than any segment has
-const float kOpaque = 1.0 - 1.1e-7;  // 1 - exp(-16)
 // With emission per length, what lies behind may be any number of times brighter than what lies in front: there the
 // transmittance is kept as a product, with all its digits, and the walk ends where it is below this, exp(-28).
-const float kLeastTransmittance = 1e-12;
+const float kLeastGlowTransmittance = 1e-12;
 
-// (1 - exp(-m)) / m for 0 <= m <= 1: Taylor series, first term left out m^9/10! < 2.8e-7.
+// (1 - exp(-m)) / m for 0 <= m <= 1: Taylor series, first term left out m^9/10! < 2.8e-7; below full accuracy, polynomials fitted
+// to the least relative error.
 float relativeOpacity(float m) {
+  if (kPartAccuracy == PART_COARSE) return 0.998891234 + m * (-0.48128441 + m * 0.115214661);
+  if (kPartAccuracy == PART_MEDIUM) return 0.999945521 + m * (-0.498362511 + m * (0.158553019 + m * -0.0280499086));
+  if (kPartAccuracy == PART_FINE)
+    return 0.999997735 + m * (-0.499894232 + m * (0.165839463 + m * (-0.0393327735 + m * 0.00551174441)));
   return 1.0 - m * (1.0 / 2.0 - m * (1.0 / 6.0 - m * (1.0 / 24.0 - m * (1.0 / 120.0 - m * (1.0 / 720.0 -
          m * (1.0 / 5040.0 - m * (1.0 / 40320.0 - m * (1.0 / 362880.0))))))));
 }
 
 // V = Psi - zeta for optical depths a (back) and b (front) with (a + b)/2 <= 1: polynomial of degree 5 fitted to the exact
-// values, relative error 2.7e-6.
+// values, relative error 2.7e-6; below full accuracy of degree 2 to 4, fitted to the least error relative to 1 - zeta.
 float emissionMoment(float a, float b) {
+  if (kPartAccuracy == PART_COARSE)
+    return max(a * (0.325608253 + a * -0.0704976097) + b * (0.158950955 + a * -0.121014133 + b * -0.0356682651), 0.0);
+  if (kPartAccuracy == PART_MEDIUM)
+    return a * (0.332841069 + a * (-0.0958646908 + a * 0.0121670933)) +
+           b * (0.166175216 + a * (-0.166964829 + a * 0.0341068953) +
+                b * (-0.0547951683 + a * 0.0300969929 + b * 0.00707249343));
+  if (kPartAccuracy == PART_FINE)
+    return a * (0.333308399 + a * (-0.0996285751 + a * (0.0169382934 + a * -0.00154344051))) +
+           b * (0.166641802 + a * (-0.17432332 + a * (0.0479732119 + a * -0.00597655214)) +
+                b * (-0.0579991899 + a * (0.0427820422 + a * -0.00848062709) +
+                     b * (0.010559883 + a * -0.00506906863 + b * -0.000971216883)));
   const float p1 = 0.33333237 + a * (-0.099976953 + a * (0.017765454 + a * (-0.0021834529 + a * 0.00015626764)));
   const float p2 = 0.16666578 + a * (-0.17495593 + a * (0.050328199 + a * (-0.0084558776 + a * 0.00076457759)));
   const float p3 = -0.058313934 + a * (0.044986556 + a * (-0.012029666 + a * 0.0014810083));
@@ -135,7 +154,7 @@ bool walkPart(inout PartWalk walk, inout vec3 light, inout float opacity, inout 
 
 // Whether what lies behind adds nothing any more.
 bool isWalkOpaque(float opacity, float clearness) {
-  return kEmissionPerLength ? clearness <= kLeastTransmittance : opacity >= kOpaque;
+  return kEmissionPerLength ? clearness <= kLeastGlowTransmittance : opacity >= 1.0 - kLeastTransmittance;
 }
 
 // Premultiplied light and opacity of a segment.

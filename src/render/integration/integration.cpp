@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 
 #include "base/check.h"
@@ -50,7 +51,23 @@ std::uint32_t shaderValue(Integration integration) {
   checkFailed(__FILE__, __LINE__, "an integration without a shader");
 }
 
+std::uint32_t shaderValue(PartAccuracy accuracy) {
+  static constexpr std::uint32_t kValues[] = {shared::PART_FULL, shared::PART_FINE, shared::PART_MEDIUM,
+                                              shared::PART_COARSE};
+  return kValues[static_cast<size_t>(accuracy)];
+}
+
 }  // namespace
+
+const char* partAccuracyName(PartAccuracy accuracy) {
+  static constexpr const char* kNames[] = {"full", "fine", "medium", "coarse"};
+  return kNames[static_cast<size_t>(accuracy)];
+}
+
+PartError partError(PartAccuracy accuracy) {
+  static constexpr PartError kErrors[] = {{3e-7, 2.7e-6}, {2.3e-6, 5.0e-5}, {5.5e-5, 9.9e-4}, {1.2e-3, 1.6e-2}};
+  return kErrors[static_cast<size_t>(accuracy)];
+}
 
 const std::vector<std::string>& integrationNames() {
   // In the order of the enumeration.
@@ -176,7 +193,9 @@ gpu::SpecConstants IntegrationVariant::specConstants() const {
   return {{SPEC_INTEGRATION, shaderValue(integration)},
           {SPEC_INTERPOLATION,
            interpolation == Interpolation::Screen ? shared::INTERPOLATION_SCREEN : shared::INTERPOLATION_PERSPECTIVE},
-          {SPEC_TABLE_FETCH, tableFetch}};
+          {SPEC_TABLE_FETCH, tableFetch},
+          {SPEC_PART_ACCURACY, shaderValue(accuracy)},
+          {SPEC_LEAST_TRANSMITTANCE, std::bit_cast<std::uint32_t>(leastTransmittance)}};
 }
 
 }  // namespace tetralux::render

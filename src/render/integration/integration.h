@@ -89,11 +89,26 @@ gpu::ImageExtent tableExtent(Integration integration, const TableOptions& option
 
 VkFormat imageFormat(TableFormat format, int channels);
 
+// By which polynomials the exact method integrates its parts.
+enum class PartAccuracy { Full, Fine, Medium, Coarse };
+const char* partAccuracyName(PartAccuracy accuracy);
+// Largest errors of a part's opacity, and of V = Psi - zeta, relative to the opacity.
+struct PartError {
+  double opacity;
+  double moment;
+};
+PartError partError(PartAccuracy accuracy);
+
+// exp(-16): what lies behind is below a rounding error.
+inline constexpr float kLeastTransmittance = 1.1e-7f;
+
 // What the shaders that draw segments are specialised for.
 struct IntegrationVariant {
   Integration integration = Integration::Exact;
   Interpolation interpolation = Interpolation::Perspective;
   bool tableFetch = false;  // the shader interpolates between the table's entries
+  PartAccuracy accuracy = PartAccuracy::Full;
+  float leastTransmittance = kLeastTransmittance;  // what lies behind it is left out
 
   gpu::SpecConstants specConstants() const;
   auto operator<=>(const IntegrationVariant&) const = default;
