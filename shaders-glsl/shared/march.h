@@ -12,8 +12,8 @@ SHARED_CONST uint MARCH_TILE = 8;
 // Rounds of a ray in one dispatch; what is left is done by another. Mesa's software device ends every loop after 65535 rounds,
 // silently, and other devices stop work that takes seconds.
 SHARED_CONST uint MARCH_ROUNDS = 16384;
-// Cells instead, where a method looks for the pieces of the transfer function at a cell's two ends: on Mesa's software device
-// the limit is one for all loops together, and a search has up to twenty rounds.
+// Cells instead, where a method looks for the pieces of the transfer function at a cell's two ends: those searches are loops, too, of
+// up to twenty rounds, and may count against the same limit.
 SHARED_CONST uint MARCH_CELLS = 1536;
 SHARED_CONST uint MARCH_LAST_ROUND = 65000;  // for the parts of the last cell, which is not left half done
 

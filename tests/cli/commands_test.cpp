@@ -108,11 +108,13 @@ TEST_F(Commands, StatisticsHaveTheirFixedKeys) {
 TEST_F(Commands, RenderIntegratesByTheMethodAskedFor) {
   run({"render", "m.vtu", "--size", "32x32", "-o", "exact.exr", "--quiet"});
   for (const char* method : {"vertex", "ppi", "preint3d-log"}) {
-    run({"render", "m.vtu", "--size", "32x32", "--integration", method, "--interpolation", "screen", "--table-size",
-         "16x16x4", "--table-format", "unorm8", "-o", "a.exr", "--stats", "s.json", "--validate", "--quiet"});
+    run({"render", "m.vtu",        "--size",  "32x32",          "--integration", method,          "--interpolation",
+         "screen", "--table-size", "16x16x4", "--table-format", "unorm8",        "--table-build", "incremental",
+         "-o",     "a.exr",        "--stats", "s.json",         "--validate",    "--quiet"});
     const json stats = json::parse(readTextFile(dir_ / "s.json"));
     EXPECT_EQ(stats["integration"], method);
     EXPECT_EQ(stats["interpolation"], "screen");
+    EXPECT_EQ(stats["table_build"], std::string(method) == "preint3d-log" ? json("incremental") : json(nullptr));
     EXPECT_EQ(stats["ms"]["tables"].get<double>() > 0.0, std::string(method) != "vertex");
     EXPECT_EQ(readExrAttribute(dir_ / "a.exr", "tetralux.integration"), method);
     const double rmse = compareImages(readExr(dir_ / "exact.exr"), readExr(dir_ / "a.exr")).rmse;

@@ -86,6 +86,7 @@ TEST(Usage, BadValues) {
   expectUsageError({"render", "a.vtu", "--integration", "guess"}, "--integration");
   expectUsageError({"render", "a.vtu", "--interpolation", "none"}, "--interpolation");
   expectUsageError({"render", "a.vtu", "--table-format", "f64"}, "--table-format");
+  expectUsageError({"render", "a.vtu", "--table-build", "fast"}, "--table-build");
   expectUsageError({"render", "a.vtu", "--table-size", "1"}, "--table-size: found '1', expected N, NxM or NxMxL");
   expectUsageError({"table", "preint4d", "-o", "a.exr"}, "preint4d");
   expectUsageError({"table", "psi", "-o", "a.png"}, "expected a name that ends in .exr");

@@ -1,6 +1,8 @@
 // Every method of integration along rays that walk: the same segments as outlines have, by the same functions.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "gpu_fixture.h"
 #include "image/metrics.h"
 #include "mesh/generate.h"
@@ -65,11 +67,18 @@ TEST_F(GpuTest, MarchInterpolatesTablesAlikeByShaderAndSampler) {
 }
 
 // More cells than one dispatch walks, at each of whose ends a method searches among a hundred pieces of the transfer
-// function.
+// function. All but the first and the last layer have one scalar; a search that is cut short ends in a piece that is
+// dense.
 TEST_F(GpuTest, MarchGoesOnAfterManyCellsByEveryMethod) {
-  const TetMesh mesh = kuhnGrid(1, 1, 4000, glm::dvec3(0), glm::dvec3(1), [](const glm::dvec3&) { return 0.05; });
+  constexpr double kScalar = 0.0522;
+  const TetMesh mesh = kuhnGrid(1, 1, 4000, glm::dvec3(0), glm::dvec3(1), [](const glm::dvec3& p) {
+    return p.z == 0.0 ? 0.0 : p.z == 1.0 ? 0.1 : kScalar;
+  });
   std::vector<ControlPoint> points;
-  for (int i = 0; i <= 200; i++) points.push_back({0.05 + (i - 100) * 1e-5, {0.3, 0.6, 0.9}, 1.5});
+  for (int i = -101; i <= 101; i++) {
+    const bool isDense = std::abs(i) > 2 && std::abs(i) < 101;
+    points.push_back({kScalar + i * 1e-5, {0.3, 0.6, 0.9}, isDense ? 400.0 : 1.5});
+  }
   Renderer march(context(), mesh, scalarField(mesh, "", "test"), withProjection(CellProjection::March));
   march.setTransferFunction(TransferFunction(points, "many pieces"));
   Camera camera;
@@ -82,8 +91,8 @@ TEST_F(GpuTest, MarchGoesOnAfterManyCellsByEveryMethod) {
        {Integration::Exact, Integration::Linear, Integration::Moments, Integration::Average, Integration::Vertex}) {
     const Image image = drawn(march, camera, method, /*forceFetch=*/false, {16, 12});
     const glm::vec4& pixel = image.at(8, 6);
-    EXPECT_NEAR(pixel.w, -std::expm1(-1.5), 1e-4) << integrationName(method);
-    EXPECT_NEAR(pixel.z, -0.9 * std::expm1(-1.5), 1e-4) << integrationName(method);
+    EXPECT_NEAR(pixel.w, -std::expm1(-1.5), 5e-3) << integrationName(method);
+    EXPECT_NEAR(pixel.z, -0.9 * std::expm1(-1.5), 5e-3) << integrationName(method);
   }
 }
 

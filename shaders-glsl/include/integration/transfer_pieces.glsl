@@ -26,8 +26,9 @@ int pieceOf(float scalar) {
   const int bin = clamp(int((scalar + 0.5) * float(TRANSFER_BINS)), 0, int(TRANSFER_BINS) - 1);
   int low = int(texelFetch(transferPieceBins, 2 * bin).x);
   int high = int(texelFetch(transferPieceBins, 2 * bin + 1).x);
-  // Most bins lie within one piece. The bound is more than any bin has.
-  for (int round = 0; round < 20; round++) {
+  // Most bins lie within one piece. The bound is more than any bin needs; a constant one would have the loop unrolled.
+  const int pieces = textureSize(transferPieces) / int(TRANSFER_PIECE_TEXELS);
+  for (int round = 0; round < pieces; round++) {
     if (low >= high) break;
     const int middle = (low + high) / 2;
     const bool isBehind = texelFetch(transferPieces, 3 * middle).y <= scalar;
