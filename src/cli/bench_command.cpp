@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/load_scene.h"
 #include "cli/stats_json.h"
+#include "cli/timed_frames.h"
 #include "reference/picture_check.h"
 
 namespace tetralux::cli {
@@ -69,13 +70,7 @@ class BenchCommand : public Command {
            check.pixels, maxRmse_);
 
     Progress progress("bench " + std::filesystem::path(path).stem().string(), warmup_ + frames_);
-    for (std::uint32_t frame = 0; frame < warmup_ + frames_; frame++) {
-      const double degrees = static_cast<double>(frame) - warmup_;
-      render::FrameStats stats = renderer.draw(first.turned(degrees), loaded.scene.size, options);
-      renderer.readImage(&stats);
-      if (frame >= warmup_) run.frames.push_back(stats);
-      progress.advance();
-    }
+    run.frames = timeTurn(renderer, first, loaded.scene.size, options, {warmup_, frames_}, [&] { progress.advance(); });
     failOnValidationMessages();
     nlohmann::ordered_json json = {{"scene", path}};
     json.update(statsJson(loaded, context.info(), renderer, run));

@@ -56,6 +56,7 @@ const std::vector<CommandEntry>& commandTable() {
       {"reference", "Draw a scene in double precision on the processor: the exact picture", makeReferenceCommand},
       {"compare", "How far two pictures are apart", makeCompareCommand},
       {"bench", "Time frames, with the camera turning", makeBenchCommand},
+      {"chart", "Chart error against time, for many ways of drawing", makeChartCommand},
       {"mesh", "Write a generated mesh", makeMeshCommand},
       {"table", "Write a table that a method of integration looks into", makeTableCommand},
       {"info", "What a mesh file holds, and its defects", makeInfoCommand},

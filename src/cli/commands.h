@@ -39,6 +39,7 @@ std::unique_ptr<Command> makeRenderCommand(CLI::App& app);
 std::unique_ptr<Command> makeReferenceCommand(CLI::App& app);
 std::unique_ptr<Command> makeCompareCommand(CLI::App& app);
 std::unique_ptr<Command> makeBenchCommand(CLI::App& app);
+std::unique_ptr<Command> makeChartCommand(CLI::App& app);
 std::unique_ptr<Command> makeMeshCommand(CLI::App& app);
 std::unique_ptr<Command> makeTableCommand(CLI::App& app);
 std::unique_ptr<Command> makeInfoCommand(CLI::App& app);

@@ -45,6 +45,12 @@ nlohmann::ordered_json orderJson(const render::OrderReport& report) {
   return json;
 }
 
+const std::vector<std::string>& passNames() {
+  static const std::vector<std::string> names = {"cull",  "order",   "check",   "sort",  "project", "raster",
+                                                 "apart", "combine", "measure", "enter", "march"};
+  return names;
+}
+
 double medianPassMs(const std::vector<render::FrameStats>& frames, const std::string& pass) {
   return medianOf(frames, [&](const render::FrameStats& frame) {
     for (const gpu::PassTime& time : frame.passes) {
@@ -106,19 +112,9 @@ nlohmann::ordered_json statsJson(const LoadedScene& loaded, const gpu::DeviceInf
   json["ms"] = {{"load", rounded(loaded.loadMs)},
                 {"first_frame", rounded(run.firstFrameMs)},
                 {"frame", rounded(medianFrameMs(run.frames))},
-                {"tables", rounded(last.tablesMs)},
-                {"cull", rounded(medianPassMs(run.frames, "cull"))},
-                {"order", rounded(medianPassMs(run.frames, "order"))},
-                {"check", rounded(medianPassMs(run.frames, "check"))},
-                {"sort", rounded(medianPassMs(run.frames, "sort"))},
-                {"project", rounded(medianPassMs(run.frames, "project"))},
-                {"raster", rounded(medianPassMs(run.frames, "raster"))},
-                {"apart", rounded(medianPassMs(run.frames, "apart"))},
-                {"combine", rounded(medianPassMs(run.frames, "combine"))},
-                {"measure", rounded(medianPassMs(run.frames, "measure"))},
-                {"enter", rounded(medianPassMs(run.frames, "enter"))},
-                {"march", rounded(medianPassMs(run.frames, "march"))},
-                {"readback", rounded(medianReadbackMs(run.frames))}};
+                {"tables", rounded(last.tablesMs)}};
+  for (const std::string& pass : passNames()) json["ms"][pass] = rounded(medianPassMs(run.frames, pass));
+  json["ms"]["readback"] = rounded(medianReadbackMs(run.frames));
   json["bytes"] = {{"mesh", memory.meshBytes},
                    {"frame", memory.frameBytes},
                    {"order", memory.orderBytes},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
 #include <vector>
 
 #include "cli/load_scene.h"
@@ -24,6 +25,9 @@ nlohmann::ordered_json orderJson(const render::OrderReport& report);
 
 // How a tolerance is kept: its value and the decisions; null without one.
 nlohmann::ordered_json toleranceJson(const std::optional<render::TolerancePlan>& plan);
+
+// The passes that a frame may have, by the names of their times.
+const std::vector<std::string>& passNames();
 
 // Median of a pass's times, ms; 0 when it was not timed.
 double medianPassMs(const std::vector<render::FrameStats>& frames, const std::string& pass);

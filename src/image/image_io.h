@@ -1,6 +1,7 @@
 // Image files: OpenEXR for numbers, PNG for eyes.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <glm/mat4x4.hpp>
@@ -57,8 +58,17 @@ Image readExr(const std::filesystem::path& path);
 // Error(Input) when the file is not an EXR image or its header is damaged.
 std::optional<std::string> readExrAttribute(const std::filesystem::path& path, const std::string& name);
 
-// Writes 8-bit sRGB without alpha: the image over `background` (linear RGB), clamped to [0, 1], rounded to nearest.
-// Not-a-number becomes 0. Complete or not at all, like writeExr. Throws Error(Output).
+// How colours are stored in a PNG file.
+enum class PngColors {
+  Rgb,
+  Palette,  // where there are at most 256 colours: smaller, the same when decoded
+};
+
+// The bytes of a PNG file, 8-bit sRGB without alpha: the image over `background` (linear RGB), clamped to [0, 1],
+// rounded to nearest. Not-a-number becomes 0. Throws Error(Output) where PNG has no such image (sides beyond 2^31).
+std::vector<std::byte> encodePng(const Image& image, const glm::vec3& background, PngColors colors = PngColors::Rgb);
+
+// The same to a file. Complete or not at all, like writeExr. Throws Error(Output).
 void writePng(const Image& image, const std::filesystem::path& path, const glm::vec3& background);
 
 // Reads a PNG of any kind (1 to 16 bits, gray, palette or RGB, with or without alpha) as linear premultiplied RGBA.

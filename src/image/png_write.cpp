@@ -1,11 +1,9 @@
 #include <png.h>
 
 #include <algorithm>
-#include <cerrno>
+#include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <memory>
+#include <map>
 
 #include "base/check.h"
 #include "base/error.h"
@@ -16,10 +14,6 @@
 
 namespace tetralux {
 namespace {
-
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
 
 png_byte encode(double linear) {
   if (!(linear > 0.0)) return 0;  // not-a-number, too
@@ -38,30 +32,52 @@ std::vector<png_byte> encodeOver(const Image& image, const glm::dvec3& backgroun
   return samples;
 }
 
+// Replaces RGB samples by indices into a palette, in the order of first use. Returns false, and changes nothing, where
+// 256 colours are not enough.
+bool toPalette(std::vector<png_byte>& samples, std::vector<png_byte>& palette) {
+  std::map<std::array<png_byte, 3>, png_byte> indices;
+  std::vector<png_byte> indexed;
+  for (size_t i = 0; i < samples.size(); i += 3) {
+    const std::array<png_byte, 3> color = {samples[i], samples[i + 1], samples[i + 2]};
+    const auto [entry, isNew] = indices.try_emplace(color, static_cast<png_byte>(indices.size()));
+    if (indices.size() > 256) return false;
+    if (isNew) palette.insert(palette.end(), color.begin(), color.end());
+    indexed.push_back(entry->second);
+  }
+  samples = std::move(indexed);
+  return true;
+}
+
 }  // namespace
 
-void writePng(const Image& image, const std::filesystem::path& path, const glm::vec3& background) {
+std::vector<std::byte> encodePng(const Image& image, const glm::vec3& background, PngColors colors) {
   CHECK_LT(0u, image.width);
   CHECK_LT(0u, image.height);
   CHECK_EQ(image.pixels.size(), static_cast<size_t>(image.width) * image.height);
-  PendingFile pending(path);
-  const auto failWith = [&](const char* text) {
-    fail(ErrorCode::Output, "{}: cannot be written: {}", path.string(), text);
-  };
-  std::unique_ptr<std::FILE, CloseFile> file(std::fopen(pending.temporaryPath().c_str(), "wb"));
-  if (!file) failWith(std::strerror(errno));
-
   // libpng's simplified interface catches its own errors; for an 8-bit format it writes the sRGB chunk.
-  const std::vector<png_byte> samples = encodeOver(image, background);
+  std::vector<png_byte> samples = encodeOver(image, background);
   png_image header{};
   header.version = PNG_IMAGE_VERSION;
   header.width = image.width;
   header.height = image.height;
   header.format = PNG_FORMAT_RGB;
-  if (!png_image_write_to_stdio(&header, file.get(), 0, samples.data(), 0, nullptr))
-    failWith(std::ferror(file.get()) ? std::strerror(errno) : header.message);
-  if (std::fclose(file.release()) != 0) failWith(std::strerror(errno));
-  pending.commit();
+  std::vector<png_byte> palette;
+  if (colors == PngColors::Palette && toPalette(samples, palette)) {
+    header.format = PNG_FORMAT_RGB_COLORMAP;
+    header.colormap_entries = static_cast<png_uint_32>(palette.size() / 3);
+  }
+  // An upper bound, so that the image is compressed once; asking for the size would compress it.
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
+  std::vector<std::byte> bytes(size);
+  if (!png_image_write_to_memory(&header, bytes.data(), &size, 0, samples.data(), 0, palette.data()))
+    fail(ErrorCode::Output, "PNG image of {} x {} pixels: {}", image.width, image.height, header.message);
+  bytes.resize(size);
+  return bytes;
+}
+
+void writePng(const Image& image, const std::filesystem::path& path, const glm::vec3& background) {
+  const std::vector<std::byte> bytes = encodePng(image, background);
+  writeFile(path, bytes.data(), bytes.size());
 }
 
 }  // namespace tetralux

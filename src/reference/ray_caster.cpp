@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "base/progress.h"
 #include "reference/cell_ray.h"
+#include "reference/piece_count.h"
 #include "reference/pixel_counts.h"
 #include "reference/pixel_tiles.h"
 #include "reference/segment_integral.h"
@@ -40,6 +41,7 @@ ReferencePixel composite(std::vector<RaySegment>& segments, const TransferFuncti
   for (const RaySegment& s : segments) {
     const SegmentOptics optics = integrateSegment(transfer, s.segment.sFront, s.segment.sBack,
                                                   (s.segment.back - s.segment.front) * lengthPerDepth);
+    pixel.pieces += pieceCount(transfer, s.segment.sFront, s.segment.sBack);
     pixel.light += transmittance * optics.light;
     pixel.alpha += (1.0 - pixel.alpha) * optics.alpha;
     transmittance *= 1.0 - optics.alpha;

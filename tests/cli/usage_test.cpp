@@ -52,6 +52,8 @@ TEST(Usage, MissingArguments) {
   expectUsageError({"bench"}, "scenes is required");
   expectUsageError({"mesh", "demo"}, "--output is required");
   expectUsageError({"info"}, "input is required");
+  expectUsageError({"chart"}, "is required");
+  expectUsageError({"chart", "m.vtu"}, "--out is required");
   expectUsageError({"table"}, "is required");
   expectUsageError({"table", "psi"}, "--output is required");
   expectUsageError({"table", "preint2d", "-o", "a.exr"}, "table preint2d: neither --scene nor --tf");
@@ -60,7 +62,7 @@ TEST(Usage, MissingArguments) {
 }
 
 TEST(Usage, UnknownOptions) {
-  for (const char* command : {"render", "reference", "compare", "bench", "mesh", "table", "info", "devices"})
+  for (const char* command : {"render", "reference", "compare", "bench", "chart", "mesh", "table", "info", "devices"})
     expectUsageError({command, "--no-such-option"}, command == std::string("devices") ? "no-such-option" : "");
 }
 
@@ -88,6 +90,18 @@ TEST(Usage, BadValues) {
   expectUsageError({"render", "a.vtu", "--table-format", "f64"}, "--table-format");
   expectUsageError({"render", "a.vtu", "--table-build", "fast"}, "--table-build");
   expectUsageError({"render", "a.vtu", "--table-size", "1"}, "--table-size: found '1', expected N, NxM or NxMxL");
+  const auto expectBadChart = [](const std::vector<std::string>& options, const std::string& part) {
+    std::vector<std::string> arguments = {"chart", "m.vtu", "--out", "c"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    expectUsageError(arguments, part);
+  };
+  expectBadChart({"--configuration", "colour=red"}, "found key 'colour', expected one of integration");
+  expectBadChart({"--configuration", "exact"}, "found 'exact', expected KEY=VALUE");
+  expectBadChart({"--configuration", "integration=best"}, "--integration: found 'best', expected one of exact");
+  expectBadChart({"--configuration", "projection=pt,k=1000"}, "k: found '1000', expected a number from 0 to");
+  expectBadChart({"--configuration", "table-size=1"}, "--table-size: found '1'");
+  expectBadChart({"--set", "pictures"}, "pictures");
+  expectBadChart({"--cells", "10"}, "10");
   expectUsageError({"table", "preint4d", "-o", "a.exr"}, "preint4d");
   expectUsageError({"table", "psi", "-o", "a.png"}, "expected a name that ends in .exr");
   expectUsageError({"reference", "a.json", "-o", "a.png"}, "expected a name that ends in .exr");

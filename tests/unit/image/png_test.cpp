@@ -52,6 +52,24 @@ TEST(WritePng, NanIsBlack) {
   EXPECT_EQ(levelsOf({1.0f, 1.0f, 1.0f, kNan}, glm::vec3(1.0f)), (std::vector<int>{0, 0, 0}));
 }
 
+TEST(EncodePng, APaletteChangesNoColour) {
+  const TempDir dir;
+  const auto decoded = [&](const Image& image, PngColors colors) {
+    const auto bytes = encodePng(image, glm::vec3(0.2f), colors);
+    writeFile(dir / "a.png", bytes.data(), bytes.size());
+    return readPng(dir / "a.png").pixels;
+  };
+  Image few = smoothImage(64, 48);
+  for (glm::vec4& pixel : few.pixels) pixel = glm::round(pixel * 4.0f) / 4.0f;
+  EXPECT_EQ(decoded(few, PngColors::Palette), decoded(few, PngColors::Rgb));
+  constexpr size_t kColorType = 25;  // in the file: IHDR's fourth number
+  EXPECT_EQ(std::to_integer<int>(encodePng(few, glm::vec3(0.2f), PngColors::Palette)[kColorType]),
+            PNG_COLOR_TYPE_PALETTE);
+  EXPECT_EQ(std::to_integer<int>(encodePng(few, glm::vec3(0.2f))[kColorType]), PNG_COLOR_TYPE_RGB);
+  const Image many = smoothImage(64, 48);
+  EXPECT_EQ(encodePng(many, glm::vec3(0.2f), PngColors::Palette), encodePng(many, glm::vec3(0.2f)));
+}
+
 TEST(WritePng, FileSaysThatItIsSrgb) {
   const TempDir dir;
   writePng(smoothImage(3, 2), dir / "a.png", glm::vec3(0.0f));
