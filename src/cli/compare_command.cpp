@@ -4,7 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/files.h"
+#include "chart/false_color.h"
 #include "cli/commands.h"
+#include "cli/write_image.h"
 #include "image/image_io.h"
 #include "image/metrics.h"
 
@@ -23,16 +26,33 @@ class CompareCommand : public Command {
         ->check(CLI::NonNegativeNumber);
     app.add_option("--fail-max-above", failMaxAbove_, "Exit status 1 when the largest difference is above this")
         ->check(CLI::NonNegativeNumber);
+    app.add_option("--difference", difference_,
+                   "Write a picture of the differences, .png or .exr: the largest of each pixel's four channels in "
+                   "false colours")
+        ->type_name("FILE");
+    app.add_option("--difference-scale", scale_, "Write the scale of those colours")->type_name("FILE.svg");
   }
 
   int run() override {
-    const ImageDifference d = compareImages(tetralux::readImage(reference_), tetralux::readImage(image_));
+    if (!difference_.empty()) checkImageName(difference_, /*pngAllowed=*/true);
+    const Image reference = tetralux::readImage(reference_);
+    const Image image = tetralux::readImage(image_);
+    const ImageDifference d = compareImages(reference, image);
+    if (!difference_.empty()) writeDifference(chart::differencePicture(reference, image));
+    if (!scale_.empty()) writeFile(scale_, chart::differenceLegendSvg());
     json_ ? printJson(d) : printText(d);
     const bool missed = (failAbove_ && d.rmse > *failAbove_) || (failMaxAbove_ && d.max > *failMaxAbove_);
     return missed ? 1 : 0;
   }
 
  private:
+  void writeDifference(const Image& colors) const {
+    if (std::filesystem::path(difference_).extension() == ".exr")
+      writeExr(colors, difference_);
+    else
+      writePng(colors, difference_, glm::vec3(0.0f));
+  }
+
   static void printJson(const ImageDifference& d) {
     nlohmann::ordered_json json;
     json["rmse"] = d.rmse;
@@ -61,6 +81,8 @@ class CompareCommand : public Command {
   std::string reference_;
   std::string image_;
   bool json_ = false;
+  std::string difference_;
+  std::string scale_;
   std::optional<double> failAbove_;
   std::optional<double> failMaxAbove_;
 };

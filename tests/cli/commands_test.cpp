@@ -267,6 +267,21 @@ TEST_F(Commands, AutoTargetSaysWhatItTook) {
   EXPECT_GT(stats["ms"]["measure"].get<double>(), 0.0);
 }
 
+TEST_F(Commands, CompareShowsWhereTheDifferencesAre) {
+  run({"render", "m.vtu", "--size", "40x30", "-o", "a.exr", "--quiet"});
+  run({"render", "m.vtu", "--size", "40x30", "-o", "b.exr", "--integration", "average", "--quiet"});
+  run({"compare", "a.exr", "b.exr", "--difference", "d.png", "--difference-scale", "d.svg"});
+  const Image shown = readPng(dir_ / "d.png");
+  EXPECT_EQ(shown.width, 40u);
+  float brightest = 0.0f;
+  for (const glm::vec4& p : shown.pixels) brightest = std::max({brightest, p.x, p.y, p.z});
+  EXPECT_GT(brightest, 0.05f);
+  EXPECT_THAT(readTextFile(dir_ / "d.svg"), HasSubstr("<svg"));
+  run({"compare", "a.exr", "a.exr", "--difference", "same.png"});
+  for (const glm::vec4& p : readPng(dir_ / "same.png").pixels) EXPECT_EQ(glm::vec3(p), glm::vec3(0.0f));
+  EXPECT_EQ(runTetralux({"compare", "a.exr", "b.exr", "--difference", "d.txt"}, dir_.path()).status, 2);
+}
+
 TEST_F(Commands, ProjectionIsChosenUnlessAskedFor) {
   const auto drawnBy = [&](std::vector<std::string> options) {
     options.insert(options.begin(),
