@@ -75,7 +75,9 @@ Segment clippedSegment(int slot, vec3 origin, vec3 direction) {
     const float depth = -offset[i] / slope[i];
     front = slope[i] > 0.0 ? max(front, depth) : front;
     back = slope[i] < 0.0 ? min(back, depth) : back;
-    if (slope[i] == 0.0 && offset[i] <= 0.0) back = -1e30;
+    // A ray that lies in a face belongs to one of the two cells there, as if it were moved aside by next to nothing.
+    const float side = plane[i].x != 0.0 ? plane[i].x : plane[i].y;
+    if (slope[i] == 0.0 && (offset[i] < 0.0 || (offset[i] == 0.0 && side <= 0.0))) back = -1e30;
   }
   // The scalar as a convex combination of the vertices' values: it stays in their range whatever the rounding.
   const vec4 scalar = cellPlane(slot, 4);

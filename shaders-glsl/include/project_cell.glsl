@@ -143,6 +143,10 @@ Fan clippedCell(Cell cell, vec3 position[4], bool isNear) {
   fan.triangles = 4u;
   fan.isClipped = true;
 
+  // All oriented alike: the four distances below are the same number but for rounding, six times the volume, and its sign is one
+  // for all four. Signs of their own would turn single faces of a cell whose volume is lost in rounding, and open it to infinity.
+  vec3 normals[4];
+  vec4 towards;
   const ivec3 faces[4] = ivec3[4](ivec3(1, 3, 2), ivec3(0, 2, 3), ivec3(0, 3, 1), ivec3(0, 1, 2));
   for (int i = 0; i < 4; i++) {
     // From the vertex opposite the longest edge: the product of the two shorter edges loses no digits.
@@ -153,10 +157,13 @@ Fan clippedCell(Cell cell, vec3 position[4], bool isNear) {
       face = face.yzx;
     else if (opposite.z >= opposite.x)
       face = face.zxy;
-    const vec3 normal = cross(cell.position[face.y] - cell.position[face.x], cell.position[face.z] - cell.position[face.x]);
-    const float towards = dot(normal, cell.position[i] - cell.position[face.x]);
-    fan.ends[i].xyz = sign(towards) * viewDirection(view, normal);
-    fan.ends[i].w = i == 0 ? abs(towards) : position[0][max(i - 1, 0)];
+    normals[i] = cross(cell.position[face.y] - cell.position[face.x], cell.position[face.z] - cell.position[face.x]);
+    towards[i] = dot(normals[i], cell.position[i] - cell.position[face.x]);
+  }
+  const float orientation = sign(dot(towards, vec4(1.0)));
+  for (int i = 0; i < 4; i++) {
+    fan.ends[i].xyz = orientation * viewDirection(view, normals[i]);
+    fan.ends[i].w = i == 0 ? orientation * towards[0] : position[0][max(i - 1, 0)];
   }
   fan.ends[4] = cell.scalar;
   return fan;

@@ -60,6 +60,7 @@ const std::vector<CommandEntry>& commandTable() {
       {"mesh", "Write a generated mesh", makeMeshCommand},
       {"table", "Write a table that a method of integration looks into", makeTableCommand},
       {"info", "What a mesh file holds, and its defects", makeInfoCommand},
+      {"stability", "Drive every method to where it fails, and map its errors", makeStabilityCommand},
       {"devices", "List the machine's Vulkan devices", makeDevicesCommand},
   };
   return table;

@@ -43,6 +43,7 @@ std::unique_ptr<Command> makeChartCommand(CLI::App& app);
 std::unique_ptr<Command> makeMeshCommand(CLI::App& app);
 std::unique_ptr<Command> makeTableCommand(CLI::App& app);
 std::unique_ptr<Command> makeInfoCommand(CLI::App& app);
+std::unique_ptr<Command> makeStabilityCommand(CLI::App& app);
 std::unique_ptr<Command> makeDevicesCommand(CLI::App& app);
 
 }  // namespace tetralux::cli

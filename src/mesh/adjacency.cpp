@@ -33,6 +33,11 @@ std::array<std::uint32_t, 3> faceVertices(const CellVertices& sorted, std::uint3
   return face;
 }
 
+// A cell that is there twice lies behind none of its faces: each of the two has its own boundary.
+bool areEqualCells(const TetMesh& mesh, std::uint32_t a, std::uint32_t b) {
+  return sortedVertices(mesh.cells[a]) == sortedVertices(mesh.cells[b]);
+}
+
 void linkNeighbors(const TetMesh& mesh, Adjacency& adjacency) {
   auto buckets =
       VertexBuckets<FaceKey>::dealOut(mesh.cellCount(), mesh.pointCount(), [&](size_t cell, const auto& emit) {
@@ -51,7 +56,7 @@ void linkNeighbors(const TetMesh& mesh, Adjacency& adjacency) {
       for (size_t i = 0; i < keys.size();) {
         size_t next = i + 1;
         while (next < keys.size() && keys[next].sameFace(keys[i])) next++;
-        if (next - i == 2) {
+        if (next - i == 2 && !areEqualCells(mesh, keys[i].cellFace / 4, keys[i + 1].cellFace / 4)) {
           const std::uint32_t a = keys[i].cellFace;
           const std::uint32_t b = keys[i + 1].cellFace;
           adjacency.neighbors[a / 4][a % 4] = b / 4;
@@ -69,10 +74,9 @@ std::uint8_t sidesOf(int volumeSign) { return volumeSign > 0 ? 0b1010 : 0b0101; 
 
 bool isPositive(std::uint8_t sides, std::uint32_t face) { return (sides >> face & 1) != 0; }
 
-// The face of `cell` that is face k of its neighbour. Two equal cells share all their faces, each with itself.
-std::uint32_t faceTowards(const Adjacency& adjacency, std::uint32_t cell, std::uint32_t neighbor, std::uint32_t k) {
+// The face of `cell` behind which `neighbor` lies.
+std::uint32_t faceTowards(const Adjacency& adjacency, std::uint32_t cell, std::uint32_t neighbor) {
   const auto& n = adjacency.neighbors[cell];
-  if (n[k] == neighbor) return k;
   return static_cast<std::uint32_t>(std::find(n.begin(), n.end(), neighbor) - n.begin());
 }
 
@@ -86,7 +90,7 @@ void orientFlatCells(Adjacency& adjacency, std::vector<std::uint32_t> flat, std:
       for (std::uint32_t k = 0; k < 4 && !found; k++) {
         const std::uint32_t neighbor = adjacency.neighbors[cell][k];
         if (neighbor == kNoCell || isFlat[neighbor]) continue;
-        const bool across = isPositive(adjacency.sides[neighbor], faceTowards(adjacency, neighbor, cell, k));
+        const bool across = isPositive(adjacency.sides[neighbor], faceTowards(adjacency, neighbor, cell));
         adjacency.sides[cell] = sidesOf(isPositive(sidesOf(1), k) != across ? 1 : -1);
         found = true;
       }
@@ -125,7 +129,7 @@ void findSides(const TetMesh& mesh, Adjacency& adjacency) {
       for (std::uint32_t k = 0; k < 4; k++) {
         const std::uint32_t neighbor = adjacency.neighbors[cell][k];
         if (neighbor == kNoCell) continue;
-        const std::uint32_t back = faceTowards(adjacency, neighbor, static_cast<std::uint32_t>(cell), k);
+        const std::uint32_t back = faceTowards(adjacency, neighbor, static_cast<std::uint32_t>(cell));
         const auto sides = [&](size_t i) {
           return std::atomic_ref(adjacency.sides[i]).load(std::memory_order_relaxed);
         };

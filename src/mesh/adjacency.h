@@ -11,8 +11,8 @@ namespace tetralux {
 
 inline constexpr std::uint32_t kNoCell = 0xffffffffu;
 
-// A face that does not join two cells: it has one cell, or more than two and then is listed once for each. Vertices are
-// ordered so that (b - a) x (c - a) points out of the cell.
+// A face that does not join two cells: it has one cell, or more than two, or two cells of the same four vertices, and is
+// listed once for each. Vertices are ordered so that (b - a) x (c - a) points out of the cell.
 struct BoundaryFace {
   std::array<std::uint32_t, 3> vertices;
   std::uint32_t cell;
@@ -22,7 +22,8 @@ struct BoundaryFace {
 // order of vertex index. The plane of a face is oriented by its own vertices in ascending order, so both cells of a
 // face mean the same side when they say "positive".
 struct Adjacency {
-  // Cell across each face; kNoCell where there is none, or where more than two cells have the face.
+  // Cell across each face; kNoCell where there is none, where more than two cells have the face, or where the other one
+  // is the same cell once more.
   std::vector<std::array<std::uint32_t, 4>> neighbors;
 
   // Bit k (0 to 3): the cell lies on the positive side of its face k. Bit 4 + k: the cell across face k lies on the

@@ -75,13 +75,15 @@ bool overlap(const Corners& a, const Corners& b) {
   return true;
 }
 
-// Cells on the smaller side of the folds, part by part. Folded faces separate the sides.
-std::vector<bool> turnedOver(const Adjacency& adjacency) {
+// Cells that may take the space of others: those on the smaller side of the folds, part by part, and all of every
+// connected part but the largest. Folded faces separate the sides.
+std::vector<bool> suspects(const Adjacency& adjacency) {
   const size_t count = adjacency.neighbors.size();
   std::vector<bool> result(count, false);
   std::vector<bool> isVisited(count, false);
   std::vector<bool> side(count, false);
   std::vector<std::uint32_t> part;
+  std::vector<std::uint32_t> largestPart;
   for (std::uint32_t start = 0; start < count; start++) {
     if (isVisited[start]) continue;
     part.assign(1, start);
@@ -100,6 +102,8 @@ std::vector<bool> turnedOver(const Adjacency& adjacency) {
     }
     const bool smaller = 2 * onOtherSide < part.size();
     for (const std::uint32_t cell : part) result[cell] = side[cell] == smaller && onOtherSide > 0;
+    if (part.size() > largestPart.size()) part.swap(largestPart);
+    for (const std::uint32_t cell : part) result[cell] = true;
   }
   return result;
 }
@@ -162,14 +166,13 @@ class BoxGrid {
 
 std::vector<std::array<std::uint32_t, 2>> findOverlaps(const TetMesh& mesh, const Adjacency& adjacency) {
   std::vector<std::array<std::uint32_t, 2>> pairs;
-  if (adjacency.foldedFaces == 0) return pairs;
-  const std::vector<bool> isTurned = turnedOver(adjacency);
-  std::vector<std::uint32_t> turned;
-  for (std::uint32_t cell = 0; cell < isTurned.size(); cell++) {
-    if (isTurned[cell]) turned.push_back(cell);
+  const std::vector<bool> isSuspect = suspects(adjacency);
+  std::vector<std::uint32_t> suspected;
+  for (std::uint32_t cell = 0; cell < isSuspect.size(); cell++) {
+    if (isSuspect[cell]) suspected.push_back(cell);
   }
-  if (turned.empty()) return pairs;
-  const BoxGrid grid(mesh, std::move(turned));
+  if (suspected.empty()) return pairs;
+  const BoxGrid grid(mesh, std::move(suspected));
   std::mutex mutex;
   parallelFor(mesh.cellCount(), kGrain, [&](size_t begin, size_t end, unsigned) {
     std::vector<std::array<std::uint32_t, 2>> own;
@@ -178,8 +181,8 @@ std::vector<std::array<std::uint32_t, 2>> findOverlaps(const TetMesh& mesh, cons
       const auto cell = static_cast<std::uint32_t>(i);
       const Corners corners = cornersOf(mesh, cell);
       grid.forEachMeeting(boxOf(corners), found, [&](std::uint32_t other) {
-        // A pair of two that are turned over is found from both.
-        if (other == cell || (isTurned[cell] && other < cell)) return;
+        // A pair of two suspects is found from both.
+        if (other == cell || (isSuspect[cell] && other < cell)) return;
         if (overlap(corners, cornersOf(mesh, other))) own.push_back({std::min(cell, other), std::max(cell, other)});
       });
     }

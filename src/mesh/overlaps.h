@@ -1,4 +1,4 @@
-// Cells that take the same space because the mesh is turned over somewhere.
+// Cells that take the same space: the mesh is turned over somewhere, or parts of it penetrate each other.
 #pragma once
 
 #include <array>
@@ -9,9 +9,10 @@
 
 namespace tetralux {
 
-// Pairs of cells whose insides overlap, one of them turned over: on the side of folded faces where a connected part of
-// the mesh has fewer cells. Parts of a mesh that penetrate each other without a fold are not found. Nothing to do where
-// there is no folded face; otherwise about a microsecond for each cell near one that is turned over.
+// Pairs of cells whose insides overlap, where one of them is turned over (on the side of folded faces where a connected
+// part of the mesh has fewer cells) or belongs to another connected part than the largest: duplicates, meshes laid into
+// each other. A connected part that penetrates itself without a fold is not found. Nothing but a walk over the cells
+// where there is one part without folds; otherwise about a microsecond for each cell near a suspect.
 std::vector<std::array<std::uint32_t, 2>> findOverlaps(const TetMesh& mesh, const Adjacency& adjacency);
 
 }  // namespace tetralux

@@ -6,6 +6,19 @@
 #include <limits>
 
 namespace tetralux::reference {
+namespace {
+
+// A ray that lies in the face of two cells belongs to one of them, as if it were moved aside by a distance that tends
+// to zero, along x and by ever smaller ones along y and z (Edelsbrunner and Muecke 1990, "Simulation of simplicity").
+//   normal   of the face, into the cell
+bool isTowardsOneSide(const glm::dvec3& normal) {
+  for (int axis = 0; axis < 3; axis++) {
+    if (normal[axis] != 0.0) return normal[axis] > 0.0;
+  }
+  return false;
+}
+
+}  // namespace
 
 CellGeometry::CellGeometry(const std::array<glm::dvec3, 4>& vertices, const std::array<double, 4>& scalars)
     : vertices_(vertices), scalars_(scalars) {
@@ -36,7 +49,7 @@ bool CellGeometry::intersect(const Ray& ray, CellSegment& segment) const {
       front = std::max(front, -offset[i] / slope[i]);
     else if (slope[i] < 0.0)
       back = std::min(back, -offset[i] / slope[i]);
-    else if (!(offset[i] > 0.0))
+    else if (!(offset[i] > 0.0) && !(offset[i] == 0.0 && isTowardsOneSide(sign * normals_[i])))
       return false;
   }
   front = std::max(front, -base);  // nothing behind the ray's origin counts

@@ -63,7 +63,13 @@ void expectConsistent(const TetMesh& mesh, const Adjacency& adjacency) {
   std::vector<std::pair<std::uint32_t, Face>> boundary;
   std::uint64_t folded = 0;
   for (const auto& [face, cells] : cellsOfFaces(mesh)) {
-    if (cells.size() != 2) {
+    // A cell that is there twice has a boundary of its own.
+    const auto vertices = [&](const CellFace& one) {
+      CellVertices v = mesh.cells[one.cell];
+      std::sort(v.begin(), v.end());
+      return v;
+    };
+    if (cells.size() != 2 || vertices(cells[0]) == vertices(cells[1])) {
       for (const CellFace& one : cells) boundary.emplace_back(one.cell, face);
       continue;
     }

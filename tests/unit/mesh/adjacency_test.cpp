@@ -189,17 +189,18 @@ TEST(Adjacency, FlatCellsPassTheirSidesOn) {
   expectConsistent(island, makeAdjacency(island));
 }
 
-// All four faces of two equal cells are shared, and by the same two cells: which face of the other is meant must not be
-// guessed from the neighbour alone.
-TEST(Adjacency, TwoEqualCellsAreFoldedAtAllFaces) {
+// A cell that is there twice has two boundaries of its own, and its neighbours' faces one as well.
+TEST(Adjacency, EqualCellsAreNoNeighbours) {
   const std::vector<glm::dvec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
   const TetMesh twins = meshOf(points, {{0, 1, 2, 3}, {0, 2, 1, 3}});
   const Adjacency adjacency = makeAdjacency(twins);
   expectConsistent(twins, adjacency);
-  EXPECT_EQ(adjacency.foldedFaces, 4u);
+  EXPECT_EQ(adjacency.foldedFaces, 0u);
+  EXPECT_EQ(adjacency.boundary.size(), 8u);
+  EXPECT_FALSE(adjacency.isConvex);
   const TetMesh beside = meshOf(points, {{0, 1, 2, 3}, {0, 2, 1, 3}, {1, 2, 3, 4}});
   expectConsistent(beside, makeAdjacency(beside));
-  EXPECT_EQ(makeAdjacency(beside).foldedFaces, 3u);
+  EXPECT_EQ(makeAdjacency(beside).boundary.size(), 12u);
 }
 
 // Cells with a volume on faces of a flat cell that would have to lie on opposite sides of it: they overlap each other,

@@ -49,6 +49,23 @@ TEST(Overlaps, FindsCellsOnOneSideOfTheirFace) {
   EXPECT_EQ(overlapsOf(mesh), (Pairs{{0, 1}}));
 }
 
+// Parts that share no face: one inside the other's cell, one twice, one that only touches.
+TEST(Overlaps, FindsPartsThatPenetrate) {
+  const TetMesh mesh = meshOf({{0, 0, 0},
+                               {1, 0, 0},
+                               {0, 1, 0},
+                               {0, 0, 1},
+                               {0.1, 0.1, 0.1},
+                               {0.2, 0.1, 0.1},
+                               {0.1, 0.2, 0.1},
+                               {0.1, 0.1, 0.2},
+                               {-1, 0, 0},
+                               {0, -1, 0},
+                               {0, 0, -1}},
+                              {{0, 1, 2, 3}, {4, 5, 6, 7}, {3, 1, 0, 2}, {0, 8, 9, 10}});
+  EXPECT_EQ(overlapsOf(mesh), (Pairs{{0, 1}, {0, 2}, {1, 2}}));
+}
+
 // Points at random inside two cells find no pair that is missing.
 TEST(Overlaps, OfATwistedColumnAreThoseThatPointsAtRandomFind) {
   const TetMesh mesh = test::tilted(twistedDelaunay(300, 1, 1.5));

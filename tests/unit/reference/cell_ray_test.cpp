@@ -17,6 +17,22 @@ Ray rayFrom(const glm::dvec3& origin, const glm::dvec3& direction) {
   return {origin, direction, glm::length(direction)};
 }
 
+// The face x = y of two cells: of a ray in it, each cell has all or nothing, and one has it.
+TEST(CellRay, InTheFaceOfTwoCellsBelongsToOne) {
+  const std::array<glm::dvec3, 3> face = {{{0, 0, 0}, {1, 1, 0}, {0.5, 0.5, 1}}};
+  const std::array<double, 4> scalars = {0, 1, 2, 3};
+  for (const bool isSwapped : {false, true}) {
+    const CellGeometry a({face[0], face[1], face[2], glm::dvec3(1, 0, 0.25)}, scalars);
+    const CellGeometry b({face[isSwapped ? 1 : 0], face[isSwapped ? 0 : 1], face[2], glm::dvec3(0, 1, 0.25)}, scalars);
+    Ray ray;
+    ray.origin = {-1.0, -1.0, 0.25};
+    ray.direction = {1.0, 1.0, 0.0};
+    CellSegment inA;
+    CellSegment inB;
+    EXPECT_NE(a.intersect(ray, inA), b.intersect(ray, inB));
+  }
+}
+
 TEST(CellRay, KnownSegment) {
   const CellGeometry cell(kUnit, {0, 0, 0, 1});
   CellSegment s;
