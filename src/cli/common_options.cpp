@@ -48,7 +48,7 @@ void DeviceOptions::add(CLI::App& app) {
       ->check(CLI::Range(0u, shared::KBUFFER_LARGEST));
   app.add_option("--projection", projection,
                  "How cells become light in pixels (default: auto, which is "
-                 "march on processors and pt on other devices)")
+                 "march or silhouette on processors and pt on other devices)")
       ->check(CLI::IsMember(render::projectionNames()));
   app.add_option("--order", order, "Order in which cells are drawn (default: auto)")
       ->check(CLI::IsMember(render::orderNames()));
@@ -114,7 +114,8 @@ render::RendererOptions DeviceOptions::rendererOptions() const {
   // What only cells that are drawn have.
   const std::string_view blended[] = {"rgba8", "rgba8-dither", "rgba16f", "rgba16f-chunked"};
   const bool isBlended = std::find(std::begin(blended), std::end(blended), target) != std::end(blended);
-  if (options.projection == render::CellProjection::Auto && (isBlended || interpolation == "screen"))
+  options.mayWalk = !isBlended;
+  if (options.projection == render::CellProjection::Auto && interpolation == "screen")
     options.projection = render::CellProjection::Pt;
   options.kBuffer = kBuffer;
   options.forceWideAddressing = forcePath == "wide-addressing";

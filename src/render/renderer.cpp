@@ -42,7 +42,7 @@ Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const Scala
   std::optional<Adjacency> adjacency;
   std::optional<std::vector<std::array<std::uint32_t, 2>>> overlaps;
   if (options.projection == CellProjection::Auto) {
-    const bool mayWalk = context.info().isCpu && options.order == Order::Auto;
+    const bool mayWalk = context.info().isCpu && options.order == Order::Auto && options.mayWalk;
     if (mayWalk) {
       adjacency = makeAdjacency(mesh);
       overlaps = findOverlaps(mesh, *adjacency);

@@ -35,7 +35,8 @@ struct RendererOptions {
   std::optional<SortVariant> sortVariant;  // nothing: the best for the device
   CellProjection projection = CellProjection::Pt;
   Order order =
-      Order::Auto;  // CellProjection::March needs none and is always right; with Auto, any other keeps cells drawn
+      Order::Auto;      // CellProjection::March needs none and is always right; with Auto, any other keeps cells drawn
+  bool mayWalk = true;  // CellProjection::Auto may become March; false where what frames ask for is made by blending
   std::uint32_t kBuffer = 6;  // segments buffered per pixel by Order::KBuffer, 1 to KBUFFER_LARGEST
   // Largest error per pixel and channel that is allowed, > 0: frames with Integration::Exact, and what is Auto, are
   // then drawn as cheaply as is known to keep it (tolerance/tolerance_plan.h). Nothing: as exactly as single precision

@@ -166,7 +166,9 @@ TEST_F(GpuTest, RaysWalkOnlyWhereNoCellsOverlap) {
     return Renderer(context(), mesh, scalarField(mesh, "", "test"), options).projection();
   };
   EXPECT_EQ(drawnBy(plain), context().info().isCpu ? CellProjection::March : CellProjection::Pt);
-  EXPECT_EQ(drawnBy(folded), CellProjection::Pt);
+  EXPECT_EQ(drawnBy(folded), context().info().isCpu ? CellProjection::Silhouette : CellProjection::Pt);
+  options.mayWalk = false;
+  EXPECT_NE(drawnBy(plain), CellProjection::March);
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ TEST(TolerancePlan, KnowsTheBrightestPartOfTheRangeAlone) {
 
 TEST(ProjectionChoice, DependsOnDeviceMeshAndTolerance) {
   EXPECT_EQ(chooseProjection(true, true, std::nullopt).projection, CellProjection::March);
-  EXPECT_EQ(chooseProjection(true, false, std::nullopt).projection, CellProjection::Pt);
+  EXPECT_EQ(chooseProjection(true, false, std::nullopt).projection, CellProjection::Silhouette);
   EXPECT_EQ(chooseProjection(false, true, std::nullopt).projection, CellProjection::Pt);
   EXPECT_EQ(chooseProjection(false, true, 0.1).projection, CellProjection::Pt);
   EXPECT_EQ(chooseProjection(false, true, 0.001).projection, CellProjection::Silhouette);
