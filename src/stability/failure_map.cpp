@@ -16,7 +16,7 @@ constexpr double kCellWidth = 42.0;
 constexpr double kCellHeight = 19.0;
 constexpr double kGroupGap = 8.0;  // between columns of different axes
 constexpr double kLeft = 176.0;    // of the first column
-constexpr double kTop = 176.0;     // of the first row
+constexpr double kTop = 204.0;     // of the first row
 constexpr double kMargin = 16.0;
 
 std::string escaped(const std::string& text) {

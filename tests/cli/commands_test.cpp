@@ -242,6 +242,13 @@ TEST_F(Commands, EveryKindOfMeshIsWrittenAndRead) {
   }
 }
 
+TEST_F(Commands, StabilityWritesItsThreeFiles) {
+  run({"stability", "--out", "new/folder", "--region", "seams", "--region", "one pixel", "--quiet", "--validate"});
+  for (const char* name : {"stability.csv", "stability.svg", "stability.html"})
+    EXPECT_TRUE(std::filesystem::exists(dir_ / "new/folder" / name)) << name;
+  EXPECT_THAT(readTextFile(dir_ / "new/folder/stability.csv"), HasSubstr("\none pixel,projection march,"));
+}
+
 TEST_F(Commands, DevicesAreListed) { EXPECT_THAT(run({"devices"}).out, HasSubstr("usable             yes")); }
 
 TEST_F(Commands, HalfExrAndTargetsAreWritten) {

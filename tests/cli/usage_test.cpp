@@ -79,6 +79,11 @@ TEST(Usage, BadValues) {
   expectUsageError({"render", "a.vtu", "--projection", "guess"}, "--projection");
   expectUsageError({"info", "a.vtu", "--orders", "--projection", "march"}, "--orders: found '--projection march'");
   expectUsageError({"render", "a.vtu", "--chunk-cells", "0"}, "--chunk-cells");
+  expectUsageError({"render", "a.vtu", "--certify", "0"}, "--certify");
+  expectUsageError({"render", "a.vtu", "--certify-tolerance", "nan"},
+                   "--certify-tolerance: found 'nan', expected a finite number >= 0");
+  expectUsageError({"stability", "--out", "d", "--region", "mars"},
+                   "--region: found 'mars', expected one of: depth grid");
   for (const char* command : {"render", "reference", "bench"}) {
     for (const char* value : {"0", "-1", "nan", "inf", "1e999", "x", ""})
       expectUsageError({command, "a.json", "--opacity-scale", value},
