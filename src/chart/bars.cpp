@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/xml_text.h"
 #include "chart/axis.h"
 #include "chart/label_placement.h"
 #include "chart/svg_text.h"
@@ -23,12 +24,12 @@ std::string barsSvg(const std::string& title, const std::string& baseText, const
   const double bottom = kTop + kRow * static_cast<double>(bars.size()) + 6.0;
   const auto x = [&](double value) { return left + (kWidth - kRoom - left) * axis.share(value); };
   std::string svg = svgHead(kWidth, bottom + 34.0, title);
-  svg += fmt::format(R"(<text class="title" x="24" y="28">{}</text>)", escaped(title));
+  svg += fmt::format(R"(<text class="title" x="24" y="28">{}</text>)", escapedXml(title));
   svg +=
       fmt::format(R"(<rect class="c0" x="{0:.1f}" y="40" width="12" height="12"/><text x="{1:.1f}" y="50">{2}</text>)"
                   R"(<rect class="c1" x="{3:.1f}" y="40" width="12" height="12"/><text x="{4:.1f}" y="50">{5}</text>)",
-                  24.0, 42.0, escaped(baseText), 80.0 + textWidth(baseText, 11.0), 98.0 + textWidth(baseText, 11.0),
-                  escaped(totalText));
+                  24.0, 42.0, escapedXml(baseText), 80.0 + textWidth(baseText, 11.0), 98.0 + textWidth(baseText, 11.0),
+                  escapedXml(totalText));
   for (const Tick& tick : axis.ticks())
     svg += fmt::format(
         R"(<path class="grid" d="M{0:.1f} {1}V{2:.1f}"/><text class="tick middle" x="{0:.1f}" y="{3:.1f}">{4}</text>)",
@@ -38,7 +39,7 @@ std::string barsSvg(const std::string& title, const std::string& baseText, const
     const double y = kTop + kRow * static_cast<double>(i);
     svg += fmt::format(
         R"(<text class="end" x="{:.1f}" y="{:.1f}">{}</text><rect class="c0" x="{:.1f}" y="{:.1f}" width="{:.1f}" height="20"/>)",
-        left - 8.0, y + 18.0, escaped(bar.name), left, y + 4.0, x(bar.base) - left);
+        left - 8.0, y + 18.0, escapedXml(bar.name), left, y + 4.0, x(bar.base) - left);
     svg += fmt::format(
         R"(<rect class="c1" x="{:.1f}" y="{:.1f}" width="{:.1f}" height="20"/><text class="strong" x="{:.1f}" y="{:.1f}">+{:.1f} %</text>)",
         x(bar.base), y + 4.0, x(bar.total) - x(bar.base), x(bar.total) + 6.0, y + 18.0,

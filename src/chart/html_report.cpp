@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/xml_text.h"
 #include "chart/svg_text.h"
 
 namespace tetralux::chart {
@@ -34,20 +35,20 @@ HtmlReport::HtmlReport(std::string_view title) {
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
       "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n<title>{0}</title>\n"
       "<style>{1}</style></head>\n<body>\n<h1>{0}</h1>\n",
-      escaped(title), kStyle);
+      escapedXml(title), kStyle);
 }
 
-void HtmlReport::heading(std::string_view text) { html_ += fmt::format("<h2>{}</h2>\n", escaped(text)); }
-void HtmlReport::subheading(std::string_view text) { html_ += fmt::format("<h3>{}</h3>\n", escaped(text)); }
-void HtmlReport::paragraph(std::string_view text) { html_ += fmt::format("<p>{}</p>\n", escaped(text)); }
-void HtmlReport::code(std::string_view text) { html_ += fmt::format("<pre>{}</pre>\n", escaped(text)); }
+void HtmlReport::heading(std::string_view text) { html_ += fmt::format("<h2>{}</h2>\n", escapedXml(text)); }
+void HtmlReport::subheading(std::string_view text) { html_ += fmt::format("<h3>{}</h3>\n", escapedXml(text)); }
+void HtmlReport::paragraph(std::string_view text) { html_ += fmt::format("<p>{}</p>\n", escapedXml(text)); }
+void HtmlReport::code(std::string_view text) { html_ += fmt::format("<pre>{}</pre>\n", escapedXml(text)); }
 void HtmlReport::chart(std::string_view svg) { html_ += fmt::format("<figure class=\"chart\">{}</figure>\n", svg); }
 
 void HtmlReport::table(const ReportTable& table) {
   const auto row = [&](const std::vector<std::string>& cells, const char* tag, bool isStrong) {
     html_ += isStrong ? "<tr class=\"s\">" : "<tr>";
     for (size_t i = 0; i < cells.size(); i++)
-      html_ += fmt::format("<{0}{1}>{2}</{0}>", tag, i < table.textColumns ? " class=\"t\"" : "", escaped(cells[i]));
+      html_ += fmt::format("<{0}{1}>{2}</{0}>", tag, i < table.textColumns ? " class=\"t\"" : "", escapedXml(cells[i]));
     html_ += "</tr>\n";
   };
   html_ += "<div class=\"scroll\"><table><thead>";
@@ -62,14 +63,14 @@ void HtmlReport::pictures(const std::vector<ReportPicture>& pictures) {
   html_ += "<div class=\"pictures\">\n";
   for (const ReportPicture& picture : pictures) {
     html_ += fmt::format("<figure><b{}>{}</b><div class=\"pair\">", picture.isStrong ? " class=\"s\"" : "",
-                         escaped(picture.caption));
+                         escapedXml(picture.caption));
     html_ += picture.pictureUri.empty()
                  ? "<span>looks like the exact one</span>"
-                 : fmt::format("<img alt=\"{}\" src=\"{}\">", escaped(picture.caption), picture.pictureUri);
+                 : fmt::format("<img alt=\"{}\" src=\"{}\">", escapedXml(picture.caption), picture.pictureUri);
     if (!picture.differenceUri.empty())
       html_ +=
-          fmt::format("<img alt=\"difference of {}\" src=\"{}\">", escaped(picture.caption), picture.differenceUri);
-    html_ += fmt::format("</div>{}</figure>\n", escaped(picture.note));
+          fmt::format("<img alt=\"difference of {}\" src=\"{}\">", escapedXml(picture.caption), picture.differenceUri);
+    html_ += fmt::format("</div>{}</figure>\n", escapedXml(picture.note));
   }
   html_ += "</div>\n";
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/xml_text.h"
 #include "chart/label_placement.h"
 #include "chart/svg_text.h"
 
@@ -20,7 +21,7 @@ constexpr double kZeroBand = 26.0;  // below a logarithmic axis
 std::string classOf(const Style& style) { return fmt::format("c{}", style.color % kColorCount); }
 
 std::string text(double x, double y, const std::string& classes, const std::string& content) {
-  return fmt::format(R"(<text class="{}" x="{:.1f}" y="{:.1f}">{}</text>)", classes, x, y, escaped(content));
+  return fmt::format(R"(<text class="{}" x="{:.1f}" y="{:.1f}">{}</text>)", classes, x, y, escapedXml(content));
 }
 
 std::string segment(const char* classes, double x0, double y0, double x1, double y1) {
@@ -66,7 +67,7 @@ std::string shapePath(Shape shape, double x, double y, double r) {
 
 std::string mark(const Style& style, double x, double y, double r, const std::string& tooltip = "") {
   return fmt::format(R"(<path class="mark {}" d="{}">{}</path>)", classOf(style), shapePath(style.shape, x, y, r),
-                     tooltip.empty() ? "" : "<title>" + escaped(tooltip) + "</title>");
+                     tooltip.empty() ? "" : "<title>" + escapedXml(tooltip) + "</title>");
 }
 
 class PlotDrawing {
@@ -171,7 +172,7 @@ class PlotDrawing {
   std::string rotated(double at, const std::string& content) const {
     const double middle = 0.5 * (top_ + bottom_);
     return fmt::format(R"svg(<text class="axis middle" transform="translate({:.1f} {:.1f}) rotate(-90)">{}</text>)svg",
-                       at, middle, escaped(content));
+                       at, middle, escapedXml(content));
   }
 
   void drawFront() {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/xml_text.h"
+
 namespace tetralux::chart {
 namespace {
 
@@ -42,29 +44,6 @@ std::string superscript(int exponent) {
 
 }  // namespace
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
-
 std::string numberText(double value) {
   if (value == 0.0 || !std::isfinite(value)) return fmt::format("{:g}", value);
   const double size = std::abs(value);
@@ -82,7 +61,7 @@ std::string svgHead(double width, double height, std::string_view title) {
   return fmt::format(
       R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0:g} {1:g}" width="{0:g}" height="{1:g}" role="img">)"
       R"(<title>{2}</title><style>{3}</style><rect class="ground" width="{0:g}" height="{1:g}"/>)",
-      width, height, escaped(title), kStyle);
+      width, height, escapedXml(title), kStyle);
 }
 
 std::string dataUri(std::string_view type, std::span<const std::byte> bytes) {

@@ -1,4 +1,4 @@
-// What all charts and the report write alike: escaped text, numbers, the head of an SVG.
+// What all charts and the report write alike: numbers, the head of an SVG.
 #pragma once
 
 #include <cstddef>
@@ -7,9 +7,6 @@
 #include <string_view>
 
 namespace tetralux::chart {
-
-// Text between tags or in a quoted attribute of XML or HTML.
-std::string escaped(std::string_view text);
 
 // A number for a tick: 0.5, 200, 10 k, 5 M, 2 G; beyond that, and below 1e-3, powers of ten.
 std::string numberText(double value);

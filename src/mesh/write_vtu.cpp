@@ -16,6 +16,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/parallel.h"
+#include "base/xml_text.h"
 #include "mesh/mesh_io.h"
 #include "mesh/vtk_types.h"
 
@@ -41,34 +42,6 @@ struct FileLayout {
   std::vector<FileArray> pointArrays, cellArrays;
   FileArray points, connectivity, offsets, types;
 };
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\t':
-      case '\n':
-      case '\r':
-        result += fmt::format("&#{};", static_cast<int>(c));
-        break;
-      default:  // XML has no way to write the other control characters
-        result += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
-    }
-  }
-  return result;
-}
 
 // An array that is in memory as the file holds it.
 FileArray storedArray(std::string attributes, const void* data, size_t size) {
@@ -100,7 +73,7 @@ FileArray fileArray(const DataArray& array) {
   return std::visit(
       [&](const auto& v) {
         return storedArray(fmt::format("type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"", array.typeName(),
-                                       escaped(array.name), array.components),
+                                       escapedXml(array.name), array.components),
                            v.data(), array.sizeBytes());
       },
       array.values);
@@ -145,7 +118,7 @@ std::string headOf(const FileLayout& layout, const TetMesh& mesh, bool compress)
   const bool atPoints = std::any_of(mesh.pointArrays.begin(), mesh.pointArrays.end(), names);
   const bool inCells = !atPoints && std::any_of(mesh.cellArrays.begin(), mesh.cellArrays.end(), names);
   const std::string scalars =
-      mesh.preferredField.empty() ? "" : fmt::format(" Scalars=\"{}\"", escaped(mesh.preferredField));
+      mesh.preferredField.empty() ? "" : fmt::format(" Scalars=\"{}\"", escapedXml(mesh.preferredField));
   head += fmt::format("      <PointData{}>\n", atPoints ? scalars : "");
   for (const FileArray& array : layout.pointArrays) addArray(array);
   head += fmt::format("      </PointData>\n      <CellData{}>\n", inCells ? scalars : "");

@@ -7,6 +7,7 @@
 #include <map>
 #include <vector>
 
+#include "base/xml_text.h"
 #include "stability/color_scale.h"
 
 namespace tetralux::stability {
@@ -18,21 +19,6 @@ constexpr double kGroupGap = 8.0;  // between columns of different axes
 constexpr double kLeft = 176.0;    // of the first column
 constexpr double kTop = 204.0;     // of the first row
 constexpr double kMargin = 16.0;
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else
-      result += c;
-  }
-  return result;
-}
 
 std::string hex(const Rgb8& c) { return fmt::format("#{:02x}{:02x}{:02x}", c.r, c.g, c.b); }
 
@@ -92,7 +78,7 @@ std::string cellSvg(const Outcome& o, double left, double top) {
     return fmt::format(
         "<g><title>{}, {}: does not apply</title><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" "
         "fill=\"#f2f2f2\"/><text x=\"{}\" y=\"{}\" class=\"v\" fill=\"#999999\">-</text></g>\n",
-        escaped(o.region), escaped(o.method), left, top, kCellWidth - 1.0, kCellHeight - 1.0,
+        escapedXml(o.region), escapedXml(o.method), left, top, kCellWidth - 1.0, kCellHeight - 1.0,
         left + 0.5 * (kCellWidth - 1.0), top + 13.0);
   const Rgb8 color = errorColor(o.nonFinite > 0 ? 1.0 : o.largest);
   const bool isMissed = isStrict(o.method) && !o.keepsLimits();
@@ -100,9 +86,10 @@ std::string cellSvg(const Outcome& o, double left, double top) {
   std::string svg = fmt::format(
       "<g><title>{}, {}: largest {:.3g}, RMSE {:.3g}{}{}</title><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" "
       "fill=\"{}\"/><text x=\"{}\" y=\"{}\" class=\"v{}\" fill=\"{}\">{}</text>",
-      escaped(o.region), escaped(o.method), o.largest, o.rmse, o.worstCase.empty() ? "" : " in ", escaped(o.worstCase),
-      left, top, kCellWidth - 1.0, kCellHeight - 1.0, hex(color), left + 0.5 * (kCellWidth - 1.0), top + 13.0,
-      o.largest > kLargestError ? " b" : "", wantsBlackText(color) ? "#000000" : "#ffffff", text);
+      escapedXml(o.region), escapedXml(o.method), o.largest, o.rmse, o.worstCase.empty() ? "" : " in ",
+      escapedXml(o.worstCase), left, top, kCellWidth - 1.0, kCellHeight - 1.0, hex(color),
+      left + 0.5 * (kCellWidth - 1.0), top + 13.0, o.largest > kLargestError ? " b" : "",
+      wantsBlackText(color) ? "#000000" : "#ffffff", text);
   if (isMissed)
     svg += fmt::format(
         "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#d81b60\" stroke-width=\"3\"/>",
@@ -121,10 +108,11 @@ std::string headSvg(const Layout& layout) {
     // A column by itself is too narrow for its axis's name above it.
     const bool isAlone = isFirst && last == i;
     svg += fmt::format("<text transform=\"translate({} {}) rotate(-55)\" class=\"h\">{}</text>\n", x, kTop - 8.0,
-                       escaped(isAlone ? c.method : c.name));
+                       escapedXml(isAlone ? c.method : c.name));
     if (c.axis == c.name || !isFirst) continue;
     const double right = layout.columns[last].left + kCellWidth - 1.0;
-    if (!isAlone) svg += fmt::format("<text x=\"{}\" y=\"70\" class=\"a\">{}</text>\n", c.left + 36.0, escaped(c.axis));
+    if (!isAlone)
+      svg += fmt::format("<text x=\"{}\" y=\"70\" class=\"a\">{}</text>\n", c.left + 36.0, escapedXml(c.axis));
     svg += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"2\" fill=\"#555555\"/>\n", c.left, kTop - 5.0,
                        right - c.left);
   }
@@ -180,11 +168,11 @@ std::string failureMapSvg(std::span<const Outcome> outcomes, const std::string& 
       "<text x=\"{2}\" y=\"28\" class=\"t\">Largest error where methods fail: {3}</text>\n"
       "<text x=\"{2}\" y=\"48\" class=\"l\">one part of the default configuration replaced at a time; against the "
       "double-precision answer</text>\n",
-      width, height, kMargin, escaped(device));
+      width, height, kMargin, escapedXml(device));
   svg += headSvg(layout);
   for (size_t row = 0; row < layout.rows.size(); row++) {
     svg += fmt::format("<text x=\"{}\" y=\"{}\" class=\"r\">{}</text>\n", kLeft - 8.0, layout.top(row) + 13.5,
-                       escaped(layout.rows[row]));
+                       escapedXml(layout.rows[row]));
     for (const Column& column : layout.columns) {
       const auto cell = layout.cells.find({layout.rows[row], column.method});
       if (cell != layout.cells.end()) svg += cellSvg(*cell->second, column.left, layout.top(row));
@@ -201,13 +189,13 @@ std::string failureMapHtml(std::span<const Outcome> outcomes, const std::string&
       "tr:nth-child(even){{background:#f4f4f4}}</style></head><body>\n"
       "<p>Every region draws hard cases with every method and compares each picture with the double-precision answer. "
       "Rest the pointer on a cell for its figures.</p>\n",
-      escaped(device));
+      escapedXml(device));
   html += failureMapSvg(outcomes, device);
   html += "<h2>Regions</h2>\n<table><tr><th>region</th><th>what is in it</th></tr>\n";
   const Layout layout(outcomes);
   for (const Region& region : regions()) {
     if (std::find(layout.rows.begin(), layout.rows.end(), region.name) != layout.rows.end())
-      html += fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", escaped(region.name), escaped(region.what));
+      html += fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", escapedXml(region.name), escapedXml(region.what));
   }
   html +=
       "</table>\n<h2>Figures</h2>\n<table><tr><th>region</th><th>method</th><th>RMSE</th><th>largest</th>"
@@ -217,7 +205,7 @@ std::string failureMapHtml(std::span<const Outcome> outcomes, const std::string&
     html += fmt::format(
         "<tr><td>{}</td><td>{}</td><td class=\"n\">{:.3g}</td><td class=\"n\">{:.3g}</td>"
         "<td class=\"n\">{}</td><td>{}</td></tr>\n",
-        escaped(o.region), escaped(o.method), o.rmse, o.largest, o.nonFinite, escaped(o.worstCase));
+        escapedXml(o.region), escapedXml(o.method), o.rmse, o.largest, o.nonFinite, escapedXml(o.worstCase));
   }
   return html + "</table>\n</body></html>\n";
 }
