@@ -11,9 +11,13 @@
 // Where the origin is on an edge it is taken to be a little beside it, in the same direction for all edges (Edelsbrunner and
 // Muecke 1990). An edge along the ray has no sides, and is in no triangle that the origin lies in.
 //
-// Before including: TOPOLOGY_NEIGHBORS is a binding number; mesh_access.glsl and view_space.glsl.
-layout(binding = TOPOLOGY_NEIGHBORS) uniform usamplerBuffer topologyNeighbors;  // cell across face k, or NO_CELL
-layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer NeighborsAt { uvec4 data[]; };
+// Before including: TOPOLOGY_ACROSS is a binding number; mesh_access.glsl and view_space.glsl.
+
+// What lies across the face opposite a cell's k-th vertex in ascending order, at 4 cell + k: the cell there, or NO_CELL, and the
+// vertex of it that the face does not have. So a step reads two numbers of the topology and four of the new vertex, one after
+// the other.
+layout(binding = TOPOLOGY_ACROSS) uniform usamplerBuffer topologyAcross;
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer AcrossAt { uvec2 data[]; };
 
 const uint NO_CELL = 0xffffffffu;
 
@@ -55,12 +59,14 @@ struct Corner {
   float scalar;
 };
 
-Corner loadCorner(MeshAddresses mesh, Ray ray, uint vertex) {
-  const vec4 p = loadVertex(mesh, vertex);
+//   p   position in mesh space, scalar
+Corner seenCorner(Ray ray, uint vertex, vec4 p) {
   precise const float u = (ray.u.x * p.x + ray.u.y * p.y) + (ray.u.z * p.z + ray.u.w);
   precise const float v = (ray.v.x * p.x + ray.v.y * p.y) + (ray.v.z * p.z + ray.v.w);
   return Corner(vertex, vec2(u, v), dot(ray.forward, p.xyz), p.w);
 }
+
+Corner loadCorner(MeshAddresses mesh, Ray ray, uint vertex) { return seenCorner(ray, vertex, loadVertex(mesh, vertex)); }
 
 // Twice the signed area of the triangle of the origin, a and b. Exchanging a and b negates it exactly.
 float crossed(Corner a, Corner b) {
@@ -95,7 +101,8 @@ Meeting meeting(Face face) {
   const float area = weight.x + weight.y + weight.z;
   const float depth = weight.x * face.a.depth + weight.y * face.b.depth + weight.z * face.c.depth;
   const float scalar = weight.x * face.a.scalar + weight.y * face.b.scalar + weight.z * face.c.scalar;
-  return Meeting(area > 1e-37 ? vec2(depth, scalar) / area : vec2(face.a.depth, face.a.scalar), area);
+  const float inverse = 1.0 / max(area, 1e-37);
+  return Meeting(area > 1e-37 ? vec2(depth, scalar) * inverse : vec2(face.a.depth, face.a.scalar), area);
 }
 
 vec2 meetFirst(Face face) { return meeting(face).there; }
@@ -113,12 +120,9 @@ vec2 meetNext(Face face, vec2 entered) {
 }
 
 // A face of a cell as one number: 4 cell + the index of the vertex that the face does not have.
-uint cellFace(uint cell, uvec4 vertices, uint opposite) {
+uint cellFace(MeshAddresses mesh, uint cell, uint opposite) {
+  const uvec4 vertices = loadCellVertices(mesh, cell);
   return cell * 4u + (vertices.y == opposite ? 1u : vertices.z == opposite ? 2u : vertices.w == opposite ? 3u : 0u);
-}
-
-uint oppositeVertex(uvec4 vertices, Face face) {
-  return vertices.x ^ vertices.y ^ vertices.z ^ vertices.w ^ face.a.vertex ^ face.b.vertex ^ face.c.vertex;
 }
 
 Face loadFace(MeshAddresses mesh, Ray ray, uint code) {
@@ -132,17 +136,23 @@ Face loadFace(MeshAddresses mesh, Ray ray, uint code) {
   return face;
 }
 
-// What lies behind a cell.
-struct Crossing {
-  uint cell;      // that the ray enters next, or NO_CELL
-  uint opposite;  // vertex of the cell that was crossed which the face between the two does not have
+// A cell that a ray has entered through a face.
+struct Behind {
+  uint cell;    // or NO_CELL
+  uint vertex;  // of it, that the face does not have
 };
 
-// Moves the face through a cell to where the ray leaves it.
-Crossing crossCell(MeshAddresses mesh, NeighborsAt neighborsAt, Ray ray, uint cell, inout Face face) {
-  const uvec4 vertices = loadCellVertices(mesh, cell);
-  const uvec4 neighbors = kWideAddressing ? neighborsAt.data[cell] : texelFetch(topologyNeighbors, int(cell));
-  const Corner p = loadCorner(mesh, ray, oppositeVertex(vertices, face));
+// The cell behind the face with that code.
+Behind behindFace(MeshAddresses mesh, uint code) {
+  const uvec4 vertices = loadCellVertices(mesh, code >> 2);
+  const uint k = code & 3u;
+  return Behind(code >> 2, k == 0u ? vertices.x : k == 1u ? vertices.y : k == 2u ? vertices.z : vertices.w);
+}
+
+// Moves the face through a cell to where the ray leaves it, and the cell to the one behind. Returns the vertex of the cell that was
+// crossed which the face between the two does not have.
+uint crossCell(MeshAddresses mesh, AcrossAt acrossAt, Ray ray, inout Behind at, inout Face face) {
+  const Corner p = loadCorner(mesh, ray, at.vertex);
   const bool leftA = isLeft(p, face.a);
   const bool leftB = isLeft(p, face.b);
   const bool leftC = isLeft(p, face.c);
@@ -156,9 +166,9 @@ Crossing crossCell(MeshAddresses mesh, NeighborsAt neighborsAt, Ray ray, uint ce
     face.b = p;
   else
     face.c = p;
-  const uint next = vertices.y == replaced   ? neighbors.y
-                    : vertices.z == replaced ? neighbors.z
-                    : vertices.w == replaced ? neighbors.w
-                                             : neighbors.x;
-  return Crossing(next, replaced);
+  const uint k = uint(face.a.vertex < replaced) + uint(face.b.vertex < replaced) + uint(face.c.vertex < replaced);
+  const uint across = 4u * at.cell + k;
+  const uvec2 next = kWideAddressing ? acrossAt.data[across] : texelFetch(topologyAcross, int(across)).xy;
+  at = Behind(next.x, next.y);
+  return replaced;
 }

@@ -1,4 +1,4 @@
-// Puts every pixel's list of faces into the order of the walk, and its colour to none.
+// Puts every pixel's list of faces into the order of the walk.
 //
 // Without an eye inside the mesh the list holds entries only. Otherwise a ray meets one exit more than entries if it starts inside
 // the mesh (or several where the mesh overlaps itself). Then the exits stay in the list, in front, and seek.comp walks back from
@@ -12,18 +12,17 @@
 #include "shared/spec_ids.h"
 #include "shared/visibility.h"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = MARCH_WORKGROUP) in;
 
 layout(constant_id = SPEC_NEAR_CELLS) const bool kNearCells = false;
 
+#define MARCH_TILES 3
 #include "include/dispatch.glsl"
 #include "include/march_pixel.glsl"
 #define PIXEL_HEADS 0
 #define PIXEL_LINKS 1
 #define PIXEL_RANKS 2
 #include "include/pixel_lists.glsl"
-
-layout(binding = 3, scalar) writeonly buffer Colors { vec4 colors[]; };
 
 layout(push_constant, scalar) uniform Push { PixelBand band; };
 
@@ -55,7 +54,6 @@ void main() {
   const uvec2 place = tilePixel(band);
   if (place.x >= band.width || place.y >= band.rowCount) return;
   const uint pixel = place.y * band.width + place.x;
-  colors[pixel] = vec4(0.0);
   uint head = pixelHeads[pixel];
   if (head == NO_NODE) return;
   if (pixelLinks[head] == NO_NODE && !kNearCells) return;

@@ -19,19 +19,23 @@
 #include "shared/pixel_lists.h"
 #include "shared/spec_ids.h"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = MARCH_WORKGROUP) in;
 
 #define MESH_CELLS 1
 #define MESH_VERTICES 2
 #define MESH_CELL_SCALARS 3
-#define TOPOLOGY_NEIGHBORS 4
+#define TOPOLOGY_ACROSS 4
+#define MARCH_TILES 17
 #define TRANSFER_PIECES 5
 #define TRANSFER_PIECE_BINS 6
 #define INTEGRATION_NUMBERS 12
 #define INTEGRATION_TABLE_2D 13
 #define INTEGRATION_TABLE_3D 14
+#define TRANSFER_POINTS 15
+#define TRANSFER_POINT_SCALARS 16
 #include "include/dispatch.glsl"
 #include "include/integrate.glsl"
+#include "include/integration/ray_parts.glsl"
 #include "include/march_pixel.glsl"
 #include "include/mesh_access.glsl"
 #include "include/view_space.glsl"
@@ -42,27 +46,35 @@ layout(binding = 7, scalar) buffer PixelHeads { uint pixelHeads[]; };
 layout(binding = 8, scalar) readonly buffer PixelLinks { uint pixelLinks[]; };
 layout(binding = 9, scalar) buffer PixelRanks { uvec2 pixelRanks[]; };
 layout(binding = 10, scalar) buffer Colors { vec4 colors[]; };
-layout(binding = 11, scalar) buffer Unfinished { uint unfinished; };
+layout(binding = 11, scalar) buffer Counts { MarchCounts counts; };
 
 layout(push_constant, scalar) uniform Push {
   MeshAddresses mesh;
-  NeighborsAt neighborsAt;
+  AcrossAt acrossAt;
   PixelBand band;
 };
 
+// Scalar and optics are carried from cell to cell. A field of one scalar per cell jumps there.
+const bool kIsCarried = kIntegration == INTEGRATION_EXACT && !kCellField;
+
 const uint kRounds = kIntegration == INTEGRATION_EXACT ? MARCH_ROUNDS : MARCH_CELLS;
 
+struct Segment {
+  float front, back;  // scalars
+  float thickness;    // mesh units
+};
+
 // The segment between two faces; what lies behind the eye is cut off.
-PartWalk beginCell(Ray ray, uint cell, vec2 enter, vec2 leave) {
-  vec2 scalars = vec2(enter.y, leave.y);
-  if (kCellField) scalars = vec2(loadCellScalar(mesh, cell));
-  float depth = leave.x - enter.x;
+Segment cellSegment(Ray ray, uint cell, vec2 enter, vec2 leave) {
+  Segment segment = Segment(enter.y, leave.y, leave.x - enter.x);
+  if (kCellField) segment.front = segment.back = loadCellScalar(mesh, cell);
   if (kNearCells) {
-    const float hidden = clamp((ray.eyeDepth - enter.x) / max(depth, 1e-30), 0.0, 1.0);
-    scalars.x = mix(scalars.x, scalars.y, hidden);
-    depth *= 1.0 - hidden;
+    const float hidden = clamp((ray.eyeDepth - enter.x) / max(segment.thickness, 1e-30), 0.0, 1.0);
+    segment.front = mix(segment.front, segment.back, hidden);
+    segment.thickness *= 1.0 - hidden;
   }
-  return beginParts(scalars.x, scalars.y, depth * ray.lengthPerDepth);
+  segment.thickness *= ray.lengthPerDepth;
+  return segment;
 }
 
 // Composites the next part of a cell's segment, or all of it. Returns whether the segment is through.
@@ -92,37 +104,49 @@ void main() {
   uint rounds = 0;
   for (uint walk = 0; walk < kRounds; walk++) {
     const uint code = pixelRanks[node].y;
-    uint cell = code >> 2;
     Face face = loadFace(mesh, ray, code);
+    Behind next = behindFace(mesh, code);
+    uint cell = next.cell;
     vec2 enter = meetFirst(face);
 
-    uint next = crossCell(mesh, neighborsAt, ray, cell, face).cell;
+    crossCell(mesh, acrossAt, ray, next, face);
     vec2 leave = meetNext(face, enter);
-    PartWalk parts = beginCell(ray, cell, enter, leave);
+    Segment segment = cellSegment(ray, cell, enter, leave);
+    RayParts carried;
+    PartWalk parts;
+    if (kIsCarried)
+      carried = beginRay(segment.front, segment.back, segment.thickness);
+    else
+      parts = beginParts(segment.front, segment.back, segment.thickness);
     bool isThrough = false;
     for (uint round = 0; round < MARCH_LAST_ROUND; round++) {
-      const bool isLast = gather(parts, color.rgb, color.a, clearness);
+      const bool isLast = kIsCarried ? walkRayPart(carried, color.rgb, color.a, clearness)
+                                     : gather(parts, color.rgb, color.a, clearness);
       rounds++;
-      isThrough = (isLast && next == NO_CELL) || isWalkOpaque(color.a, clearness);
+      isThrough = (isLast && next.cell == NO_CELL) || isWalkOpaque(color.a, clearness);
       if (isThrough || (isLast && rounds >= kRounds)) break;
       if (isLast) {
-        cell = next;
+        cell = next.cell;
         enter = leave;
-        next = crossCell(mesh, neighborsAt, ray, cell, face).cell;
+        crossCell(mesh, acrossAt, ray, next, face);
         leave = meetNext(face, enter);
-        parts = beginCell(ray, cell, enter, leave);
+        segment = cellSegment(ray, cell, enter, leave);
+        if (kIsCarried) {
+          carried.back = segment.back;
+          carried.thickness = segment.thickness;
+        } else {
+          parts = beginParts(segment.front, segment.back, segment.thickness);
+        }
       }
     }
-    if (isThrough) {
+    if (isThrough)
       node = isWalkOpaque(color.a, clearness) ? NO_NODE : pixelLinks[node];
-    } else {
-      const uvec4 vertices = loadCellVertices(mesh, next);
-      pixelRanks[node].y = cellFace(next, vertices, oppositeVertex(vertices, face));
-    }
+    else
+      pixelRanks[node].y = cellFace(mesh, next.cell, next.vertex);
     if (node == NO_NODE || rounds >= kRounds) break;
   }
   if (kEmissionPerLength && node != NO_NODE) color.a = -clearness;  // kept with all its digits for the next dispatch
   colors[pixel] = color;
   pixelHeads[pixel] = node;
-  if (node != NO_NODE) atomicAdd(unfinished, 1u);
+  if (node != NO_NODE) atomicAdd(counts.unfinished, 1u);
 }

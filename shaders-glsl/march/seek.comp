@@ -13,12 +13,13 @@
 #include "shared/spec_ids.h"
 #include "shared/visibility.h"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = MARCH_WORKGROUP) in;
 
 #define MESH_CELLS 1
 #define MESH_VERTICES 2
 #define MESH_CELL_SCALARS 3
-#define TOPOLOGY_NEIGHBORS 4
+#define TOPOLOGY_ACROSS 4
+#define MARCH_TILES 9
 #include "include/dispatch.glsl"
 #include "include/march_pixel.glsl"
 #include "include/mesh_access.glsl"
@@ -30,11 +31,11 @@ layout(binding = 0, scalar) uniform FrameViewBlock { FrameView view; };
 #define PIXEL_LINKS 6
 #define PIXEL_RANKS 7
 #include "include/pixel_lists.glsl"
-layout(binding = 8, scalar) buffer Unfinished { uint unfinished; };
+layout(binding = 8, scalar) buffer Counts { MarchCounts counts; };
 
 layout(push_constant, scalar) uniform Push {
   MeshAddresses mesh;
-  NeighborsAt neighborsAt;
+  AcrossAt acrossAt;
   PixelBand band;
 };
 
@@ -49,24 +50,23 @@ struct Start {
 // Walks from an exit towards the eye.
 Start seekStart(Ray ray, uint code, inout uint rounds) {
   Start start = Start(code, false, false);
-  uint cell = code >> 2;
+  Behind next = behindFace(mesh, code);
+  uint cell = next.cell;
   uint opposite = 0;
   Face face = loadFace(mesh, ray, code);
   for (uint i = 0; i < MARCH_ROUNDS; i++) {
-    const Crossing next = crossCell(mesh, neighborsAt, ray, cell, face);
+    opposite = crossCell(mesh, acrossAt, ray, next, face);
     rounds++;
     // An entry that rounding put behind the eye is not in the list; here it may come out before it.
     const float depth = meetFirst(face).x;
     start.isFound = depth <= (next.cell == NO_CELL ? ray.eyeDepth + kSlack : ray.eyeDepth);
     start.isOutside = !start.isFound && next.cell == NO_CELL;
-    opposite = next.opposite;
     if (start.isFound || start.isOutside) break;
     cell = next.cell;
     if (rounds >= MARCH_ROUNDS) break;
   }
   // Found: a face of the cell that was crossed. On the way: the same face, as one of the cell that comes next.
-  const uvec4 vertices = loadCellVertices(mesh, cell);
-  start.code = cellFace(cell, vertices, start.isFound || start.isOutside ? opposite : oppositeVertex(vertices, face));
+  start.code = cellFace(mesh, cell, start.isFound || start.isOutside ? opposite : next.vertex);
   return start;
 }
 
@@ -101,5 +101,5 @@ void main() {
       pixelLinks[last] = next;
     node = next;
   }
-  if (node != NO_NODE && pixelRanks[node].x < ENTRY_BIT) atomicAdd(unfinished, 1u);
+  if (node != NO_NODE && pixelRanks[node].x < ENTRY_BIT) atomicAdd(counts.unfinished, 1u);
 }

@@ -24,8 +24,8 @@ SHARED_CONST uint INTERPOLATION_PERSPECTIVE = 0;
 SHARED_CONST uint INTERPOLATION_SCREEN = 1;
 
 // Values of SPEC_PART_ACCURACY: largest error of a part's opacity, and of V, both relative to the opacity (include/integration/exact.glsl).
-SHARED_CONST uint PART_FULL = 0;    // 3e-7, 2.7e-6
-SHARED_CONST uint PART_FINE = 1;    // 2.3e-6, 5.0e-5
+SHARED_CONST uint PART_FULL = 0;    // 1e-7, 3.2e-6
+SHARED_CONST uint PART_FINE = 1;    // 3.8e-6, 1.3e-4
 SHARED_CONST uint PART_MEDIUM = 2;  // 5.5e-5, 9.9e-4
 SHARED_CONST uint PART_COARSE = 3;  // 1.2e-3, 1.6e-2
 

@@ -9,6 +9,9 @@ SHARED_BEGIN
 // Side of the square of pixels that a workgroup works on.
 SHARED_CONST uint MARCH_TILE = 8;
 
+// Invocations of a workgroup of the march's passes.
+SHARED_CONST uint MARCH_WORKGROUP = 64;
+
 // Rounds of a ray in one dispatch; what is left is done by another. Mesa's software device ends every loop after 65535 rounds,
 // silently, and other devices stop work that takes seconds.
 SHARED_CONST uint MARCH_ROUNDS = 16384;
@@ -17,8 +20,22 @@ SHARED_CONST uint MARCH_ROUNDS = 16384;
 SHARED_CONST uint MARCH_CELLS = 1536;
 SHARED_CONST uint MARCH_LAST_ROUND = 65000;  // for the parts of the last cell, which is not left half done
 
-// Triangles drawn per boundary face: a rectangle round it.
-SHARED_CONST uint MARCH_FACE_VERTICES = 6;
+// Pixels of a band: the tiles that one face may cover stay far below the 65535 rounds of a loop.
+SHARED_CONST uint MARCH_BAND_PIXELS = 1u << 20;
+
+// A job is a face and those pixels of a tile that its rectangle covers: the tile's index, then the first and last column and row
+// in it, three bits each.
+SHARED_CONST uint MARCH_JOB_PLACE_BITS = 12;
+
+// A band's numbers of workgroups (VkDispatchIndirectCommand), and of what there was to do.
+struct MarchCounts {
+  uint jobGroups, jobGroupsY, jobGroupsZ;
+  uint walkTiles, walkTilesY, walkTilesZ;  // tiles with jobs
+  uint sortTiles, sortTilesY, sortTilesZ;  // tiles with a pixel that has more than one face
+  uint jobs;        // wanted; there may be room for fewer
+  uint nodes;       // of the pixels' lists, likewise
+  uint unfinished;  // rays that are not through
+};
 
 SHARED_END
 

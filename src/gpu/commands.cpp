@@ -189,8 +189,11 @@ void CommandBuffer::copy(const Buffer& from, std::uint64_t fromOffset, const Buf
   vkCmdCopyBuffer(commands_, from.get(), to.get(), 1, &region);
 }
 
-void CommandBuffer::fill(const Buffer& buffer, std::uint32_t value) {
-  vkCmdFillBuffer(commands_, buffer.get(), 0, VK_WHOLE_SIZE, value);
+void CommandBuffer::fill(const Buffer& buffer, std::uint32_t value) { fill(buffer, value, 0, VK_WHOLE_SIZE); }
+
+void CommandBuffer::fill(const Buffer& buffer, std::uint32_t value, std::uint64_t offsetBytes,
+                         std::uint64_t sizeBytes) {
+  vkCmdFillBuffer(commands_, buffer.get(), offsetBytes, sizeBytes, value);
 }
 
 void CommandBuffer::copyToImage(const Buffer& buffer, const SampledImage& image) {

@@ -129,6 +129,8 @@ class CommandBuffer {
   void copy(const Buffer& from, std::uint64_t fromOffset, const Buffer& to, std::uint64_t toOffset,
             std::uint64_t bytes);
   void fill(const Buffer& buffer, std::uint32_t value);
+  // Only some of it; offset and size in multiples of 4.
+  void fill(const Buffer& buffer, std::uint32_t value, std::uint64_t offsetBytes, std::uint64_t sizeBytes);
   // Fills a sampled image from a buffer of its texels, tightly packed, row 0 of slice 0 first. The image can be read by
   // shaders after it; writes of the buffer need a barrier to kTransferRead before.
   void copyToImage(const Buffer& buffer, const SampledImage& image);

@@ -124,20 +124,23 @@ void drawApart(Frame& frame, const CellSequence& sequence, SlotSpan slots) {
   }
 }
 
-// Runs the recorder with work that counts the rays it does not finish, again and again until there are none.
+// Runs the recorder with work that counts the rays it does not finish, again and again until there are none. Returns the counts.
 template <typename Record>
-void untilThrough(gpu::Recorder& recorder, const FrameInputs& inputs, const MarchStorage& storage, const char* pass,
-                  const Record& record) {
+shared::MarchCounts untilThrough(gpu::Recorder& recorder, const FrameInputs& inputs, const MarchStorage& storage,
+                                 const char* pass, const Record& record) {
   // A ray meets a cell once, so this many times are enough; rounding may not make it go in circles for ever.
   const std::uint32_t most = 16 + 4 * (inputs.mesh.cellCount() / shared::MARCH_CELLS);
+  shared::MarchCounts counts{};
   for (std::uint32_t i = 0; i < most; i++) {
     gpu::CommandBuffer& commands = recorder.pass(pass);
-    commands.fill(storage.unfinished(), 0);
+    storage.recordClearUnfinished(commands);
     commands.barrier(kTransferWrite, kComputeReadWrite);
     record(commands);
     recorder.sync();
-    if (gpu::downloadVector<std::uint32_t>(inputs.context, storage.unfinished(), 1)[0] == 0) break;
+    gpu::download(inputs.context, storage.counts(), &counts, sizeof counts);
+    if (counts.unfinished == 0) break;
   }
+  return counts;
 }
 
 }  // namespace
@@ -195,28 +198,22 @@ OrderReport drawFrame(gpu::Recorder& recorder, const FrameInputs& inputs, FrameP
 void marchFrame(gpu::Recorder& recorder, const FrameInputs& inputs, MarchPass& pass, MarchStorage& storage,
                 const gpu::AttachmentImage& target) {
   storage.prepare(inputs.size);
-  PixelLists& lists = storage.lists();
   for (std::uint32_t row = 0; row < inputs.size.height;) {
-    const shared::PixelBand band = lists.bandFrom(row);
+    const shared::PixelBand band = storage.bandFrom(row);
 
     // enter: the faces through which each ray comes in, and the cell in which it starts
-    {
-      gpu::CommandBuffer& commands = recorder.pass("enter");
-      lists.recordClearCounts(commands);
-      lists.recordClearLists(commands);
-      commands.barrier(kTransferWrite, kFragmentReadWrite);
-      pass.recordEnter(commands, inputs.variant, inputs.mesh, storage, band);
-    }
+    pass.recordEnter(recorder.pass("enter"), inputs.variant, inputs.mesh, storage, band);
     if (inputs.variant.nearCells)
       untilThrough(recorder, inputs, storage, "enter", [&](gpu::CommandBuffer& commands) {
         pass.recordSeek(commands, inputs.variant, inputs.mesh, storage, band);
       });
 
     // march: from there through the cells
-    untilThrough(recorder, inputs, storage, "march", [&](gpu::CommandBuffer& commands) {
-      pass.recordMarch(commands, inputs.variant, inputs.mesh, inputs.transfer, inputs.tables, storage, band);
-    });
-    if (lists.grow()) continue;
+    const shared::MarchCounts counts =
+        untilThrough(recorder, inputs, storage, "march", [&](gpu::CommandBuffer& commands) {
+          pass.recordMarch(commands, inputs.variant, inputs.mesh, inputs.transfer, inputs.tables, storage, band);
+        });
+    if (storage.grow(counts)) continue;
 
     gpu::CommandBuffer& commands = recorder.pass("march");
     if (row == 0) commands.prepareAttachment(target);

@@ -20,17 +20,17 @@ class MarchPass {
  public:
   explicit MarchPass(const gpu::Context& context);
 
-  // Lists the faces where the rays of a band enter the mesh, near ones first, and empties the band's colours. The
-  // storage's lists must be empty; when there was too little room for them (PixelLists::grow), what follows is wrong.
+  // Lists the faces where the rays of a band enter the mesh, near ones first, and the tiles of pixels that have any; empties the
+  // band's colours. When there was too little room (MarchStorage::grow), what follows is wrong.
   void recordEnter(gpu::CommandBuffer& commands, const FrameVariant& variant, const GpuMesh& mesh,
                    const MarchStorage& storage, const shared::PixelBand& band);
 
-  // Where the eye may be inside the mesh: finds the cells in which rays start. Adds to storage.unfinished() when it
+  // Where the eye may be inside the mesh: finds the cells in which rays start. Counts the rays for which it
   // has to be recorded again.
   void recordSeek(gpu::CommandBuffer& commands, const FrameVariant& variant, const GpuMesh& mesh,
                   const MarchStorage& storage, const shared::PixelBand& band);
 
-  // Walks. Adds the rays that are not through to storage.unfinished(); recorded again, they go on.
+  // Walks. Counts the rays that are not through; recorded again, they go on.
   void recordMarch(gpu::CommandBuffer& commands, const FrameVariant& variant, const GpuMesh& mesh,
                    const TransferBuffer& transfer, const IntegrationTables& tables, const MarchStorage& storage,
                    const shared::PixelBand& band);
@@ -40,18 +40,16 @@ class MarchPass {
                   const gpu::AttachmentImage& target, bool clear);
 
  private:
-  const gpu::GraphicsPipeline& enterPipeline(const FrameVariant& variant);
   const gpu::GraphicsPipeline& showPipeline(VkFormat format);
 
   const gpu::Context& context_;
-  gpu::Shader entriesVertex_;
-  gpu::Shader entriesFragment_;
   gpu::Shader showVertex_;
   gpu::Shader showFragment_;
+  ComputeVariants bin_;
+  ComputeVariants enter_;
   ComputeVariants arrange_;
   ComputeVariants seek_;
   ComputeVariants march_;
-  std::map<std::tuple<bool, bool, bool>, gpu::GraphicsPipeline> enter_;  // wide addressing, perspective, near cells
   std::map<VkFormat, gpu::GraphicsPipeline> show_;
 };
 

@@ -1,26 +1,104 @@
 #include "render/march_storage.h"
 
-namespace tetralux::render {
+#include <algorithm>
+#include <cstddef>
 
-MarchStorage::MarchStorage(const gpu::Context& context, const Adjacency& adjacency)
+namespace tetralux::render {
+namespace {
+
+using gpu::MemoryKind;
+using shared::MarchCounts;
+
+constexpr std::uint32_t kFewestJobs = 1u << 14;
+constexpr std::uint32_t kFewestNodes = 1u << 16;
+// Buffers of up to 64 MiB, which every device's descriptors reach.
+constexpr std::uint32_t kMost = 1u << 22;
+
+std::uint32_t tileCount(std::uint32_t pixels) { return (pixels + shared::MARCH_TILE - 1) / shared::MARCH_TILE; }
+
+// Room for a quarter more than was wanted: the next frame of a sequence is a little different.
+std::uint32_t enlarged(std::uint32_t capacity, std::uint32_t wanted, bool isLastResort) {
+  if (wanted <= capacity) return capacity;
+  const std::uint64_t more = wanted + std::uint64_t{wanted} / 4;
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(more, isLastResort ? 0xfffffffeu : kMost));
+}
+
+}  // namespace
+
+MarchStorage::MarchStorage(const gpu::Context& context, const TetMesh& mesh, const Adjacency& adjacency)
     : context_(context),
-      topology_(context, adjacency, /*overlaps=*/{}),
-      view_(context, sizeof(shared::FrameView), gpu::MemoryKind::Device, "frame view"),
-      unfinished_(context, sizeof(std::uint32_t), gpu::MemoryKind::Device, "unfinished rays") {}
+      topology_(context, mesh, adjacency),
+      view_(context, sizeof(shared::FrameView), MemoryKind::Device, "frame view"),
+      counts_(context, sizeof(MarchCounts), MemoryKind::Device, "march counts") {}
 
 void MarchStorage::prepare(ImageSize size) {
-  if (lists_ && lists_->size().width == size.width && lists_->size().height == size.height) return;
-  lists_.reset();
+  if (size_.width == size.width && size_.height == size.height) return;
+  size_ = size;
+  bandRows_ = std::clamp(shared::MARCH_BAND_PIXELS / size.width, 1u, size.height);
+  // A ray enters and leaves most meshes once.
+  nodeCapacity_ = std::clamp(2 * size.width * bandRows_, kFewestNodes, kMost);
+  jobCapacity_ = std::clamp(2 * topology_.boundaryCount(), kFewestJobs, kMost);
+  allocate();
+}
+
+void MarchStorage::allocate() {
+  // The old buffers go first: both may not fit.
+  jobsView_ = {};
   colorsView_ = {};
-  colors_ = {};
-  lists_ = std::make_unique<PixelLists>(context_, size, /*withColors=*/false);
-  colors_ = gpu::Buffer(context_, 16 * lists_->bandPixels(), gpu::MemoryKind::Device, "march colors");
+  for (gpu::Buffer* buffer : {&jobs_, &tileMarks_, &walkTiles_, &sortTiles_, &heads_, &links_, &ranks_, &colors_})
+    *buffer = {};
+  const auto make = [&](std::uint64_t bytes, const char* name) {
+    return gpu::Buffer(context_, bytes, MemoryKind::Device, name);
+  };
+  const std::uint64_t pixels = std::uint64_t{size_.width} * bandRows_;
+  const std::uint64_t tiles = std::uint64_t{tileCount(size_.width)} * tileCount(bandRows_);
+  jobs_ = make(std::uint64_t{8} * jobCapacity_, "march jobs");
+  tileMarks_ = make(4 * tiles, "march tile marks");
+  walkTiles_ = make(4 * tiles, "march tiles");
+  sortTiles_ = make(4 * tiles, "march tiles to sort");
+  heads_ = make(4 * pixels, "march heads");
+  links_ = make(std::uint64_t{4} * nodeCapacity_, "march links");
+  ranks_ = make(std::uint64_t{8} * nodeCapacity_, "march ranks");
+  colors_ = make(16 * pixels, "march colors");
+  jobsView_ = gpu::TexelView(context_, jobs_, VK_FORMAT_R32G32_UINT);
   colorsView_ = gpu::TexelView(context_, colors_, VK_FORMAT_R32G32B32A32_SFLOAT);
 }
 
+shared::PixelBand MarchStorage::bandFrom(std::uint32_t firstRow) const {
+  return {size_.width, firstRow, std::min(bandRows_, size_.height - firstRow), 0, nodeCapacity_};
+}
+
+void MarchStorage::recordClear(gpu::CommandBuffer& commands) const {
+  commands.fill(counts_, 0);
+  commands.fill(tileMarks_, 0);
+  commands.fill(heads_, shared::NO_NODE);
+  commands.fill(colors_, 0);
+  commands.barrier(gpu::access::kTransferWrite, gpu::access::kTransferWrite);
+  for (const size_t groups :
+       {offsetof(MarchCounts, jobGroupsY), offsetof(MarchCounts, walkTilesY), offsetof(MarchCounts, sortTilesY)})
+    commands.fill(counts_, 1, groups, 2 * sizeof(std::uint32_t));
+}
+
+void MarchStorage::recordClearUnfinished(gpu::CommandBuffer& commands) const {
+  commands.fill(counts_, 0, offsetof(MarchCounts, unfinished), sizeof(std::uint32_t));
+}
+
+bool MarchStorage::grow(const MarchCounts& counts) {
+  if (counts.jobs <= jobCapacity_ && counts.nodes <= nodeCapacity_) return false;
+  const bool isLastResort = bandRows_ == 1;
+  jobCapacity_ = enlarged(jobCapacity_, counts.jobs, isLastResort);
+  nodeCapacity_ = enlarged(nodeCapacity_, counts.nodes, isLastResort);
+  if (counts.jobs > jobCapacity_ || counts.nodes > nodeCapacity_) bandRows_ = std::max(1u, bandRows_ / 2);
+  allocate();
+  return true;
+}
+
 std::uint64_t MarchStorage::sizeBytes() const {
-  return topology_.sizeBytes() + view_.sizeBytes() + unfinished_.sizeBytes() + (lists_ ? lists_->sizeBytes() : 0) +
-         colors_.sizeBytes();
+  std::uint64_t bytes = topology_.sizeBytes() + view_.sizeBytes() + counts_.sizeBytes();
+  for (const gpu::Buffer* buffer :
+       {&jobs_, &tileMarks_, &walkTiles_, &sortTiles_, &heads_, &links_, &ranks_, &colors_})
+    bytes += buffer->sizeBytes();
+  return bytes;
 }
 
 }  // namespace tetralux::render

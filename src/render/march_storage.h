@@ -1,38 +1,77 @@
 // Device memory of the march beside the mesh.
 #pragma once
 
-#include <memory>
+#include <cstdint>
 
-#include "render/gpu_topology.h"
-#include "render/pixel_lists.h"
+#include "gpu/commands.h"
+#include "render/walk_topology.h"
 #include "shared/frame_view.h"
+#include "shared/march.h"
+#include "shared/pixel_lists.h"
+#include "view/camera.h"
 
 namespace tetralux::render {
 
+// Pictures are drawn in bands of rows. Jobs and lists start with room for what most pictures need and grow when a band ran out of
+// it: up to a limit by larger buffers, beyond by narrower bands.
 class MarchStorage {
  public:
-  //   adjacency   without folds (mesh/cut_folds.h); need not outlive the call
-  MarchStorage(const gpu::Context& context, const Adjacency& adjacency);
+  //   adjacency   without folds (mesh/cut_folds.h); neither it nor the mesh need outlive the call
+  MarchStorage(const gpu::Context& context, const TetMesh& mesh, const Adjacency& adjacency);
 
   // Room for a picture; nothing when there is enough already. Throws Error(Device).
   void prepare(ImageSize size);
 
-  const GpuTopology& topology() const { return topology_; }
-  const gpu::Buffer& view() const { return view_; }  // FrameView
-  PixelLists& lists() const { return *lists_; }      // faces where rays enter; links and codes (include/ray_walk.glsl)
+  // The band that begins with a row.
+  shared::PixelBand bandFrom(std::uint32_t firstRow) const;
+
+  // Records that a band has no jobs, lists, tiles and colours yet. Transfer writes: barriers are owed.
+  void recordClear(gpu::CommandBuffer& commands) const;
+  // The same for the number of rays that are not through.
+  void recordClearUnfinished(gpu::CommandBuffer& commands) const;
+
+  // After the work is done: whether the band had more to store than there was room for. If so there is room for more now, and the
+  // band (which may be another) has to be done again. Throws Error(Device) when there is no memory.
+  bool grow(const shared::MarchCounts& counts);
+
+  ImageSize size() const { return size_; }
+  const WalkTopology& topology() const { return topology_; }
+  const gpu::Buffer& view() const { return view_; }      // FrameView
+  const gpu::Buffer& counts() const { return counts_; }  // MarchCounts
+  std::uint32_t jobCapacity() const { return jobCapacity_; }
+  const gpu::Buffer& jobs() const { return jobs_; }  // uvec2
+  const gpu::TexelView& jobsView() const { return jobsView_; }
+  const gpu::Buffer& tileMarks() const { return tileMarks_; }  // uint per tile
+  const gpu::Buffer& walkTiles() const { return walkTiles_; }  // uint: tiles with jobs
+  const gpu::Buffer& sortTiles() const { return sortTiles_; }  // uint: tiles with longer lists
+  const gpu::Buffer& heads() const { return heads_; }          // include/pixel_lists.glsl
+  const gpu::Buffer& links() const { return links_; }
+  const gpu::Buffer& ranks() const { return ranks_; }
   const gpu::Buffer& colors() const { return colors_; }  // vec4 per pixel of a band
   const gpu::TexelView& colorsView() const { return colorsView_; }
-  const gpu::Buffer& unfinished() const { return unfinished_; }  // one uint: rays that are not through
 
   std::uint64_t sizeBytes() const;
 
  private:
+  void allocate();
+
   const gpu::Context& context_;
-  GpuTopology topology_;
+  WalkTopology topology_;
   gpu::Buffer view_;
-  gpu::Buffer unfinished_;
-  std::unique_ptr<PixelLists> lists_;  // made with the first picture
+  gpu::Buffer counts_;
+  ImageSize size_{0, 0};  // of the picture that there is room for
+  std::uint32_t bandRows_ = 0;
+  std::uint32_t jobCapacity_ = 0;
+  std::uint32_t nodeCapacity_ = 0;
+  gpu::Buffer jobs_;
+  gpu::Buffer tileMarks_;
+  gpu::Buffer walkTiles_;
+  gpu::Buffer sortTiles_;
+  gpu::Buffer heads_;
+  gpu::Buffer links_;
+  gpu::Buffer ranks_;
   gpu::Buffer colors_;
+  gpu::TexelView jobsView_;
   gpu::TexelView colorsView_;
 };
 

@@ -20,7 +20,8 @@ constexpr std::uint32_t kMeasureStep = 4;
 
 // Whether a buffer of the frame or mesh is longer than texel buffers or storage descriptors reach.
 bool needsWideAddressing(const gpu::DeviceInfo& info, const GpuMesh& mesh) {
-  const std::uint64_t longest = std::max(mesh.cellCount(), mesh.vertexCount());
+  // The march reads the four neighbours of a cell one by one.
+  const std::uint64_t longest = std::max(std::uint64_t{4} * mesh.cellCount(), std::uint64_t{mesh.vertexCount()});
   return longest > info.largestTexelBuffer || std::uint64_t{4} * mesh.cellCount() > info.largestStorageRangeBytes;
 }
 
@@ -53,7 +54,7 @@ Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const Scala
     marchPass_ = std::make_unique<MarchPass>(context);
     if (!adjacency) adjacency = makeAdjacency(mesh);
     cutFolds(mesh, *adjacency);
-    marchStorage_ = std::make_unique<MarchStorage>(context, *adjacency);
+    marchStorage_ = std::make_unique<MarchStorage>(context, mesh, *adjacency);
     return;
   }
   passes_ = std::make_unique<FramePasses>(context);

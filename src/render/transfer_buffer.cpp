@@ -54,6 +54,20 @@ void addTexels(const DevicePiece& p, std::vector<glm::vec4>& texels) {
   texels.emplace_back(glm::vec3(luminanceSlope), 0.0f);
 }
 
+// The ends of all pieces, those that two pieces share once.
+void listPoints(const std::vector<DevicePiece>& pieces, TransferTables& tables) {
+  const auto add = [&](float scalar, const OpticalSample& sample) {
+    const glm::vec4 point(glm::vec3(sample.luminance), static_cast<float>(sample.extinction));
+    if (!tables.points.empty() && tables.pointScalars.back() == scalar && tables.points.back() == point) return;
+    tables.points.push_back(point);
+    tables.pointScalars.push_back(scalar);
+  };
+  for (const DevicePiece& p : pieces) {
+    add(p.low, p.atLow);
+    add(p.high, p.atHigh);
+  }
+}
+
 // Pieces next to each other with something to see inside become one interval.
 std::vector<glm::vec4> supportIntervals(const std::vector<DevicePiece>& pieces, Emission emission) {
   std::vector<glm::vec4> result;
@@ -109,6 +123,7 @@ TransferTables makeTransferTables(const TransferFunction& transfer, const MeshSp
   const std::vector<DevicePiece> pieces = devicePieces(transfer, space);
   TransferTables tables;
   for (const DevicePiece& p : pieces) addTexels(p, tables.pieces);
+  listPoints(pieces, tables);
   const auto pieceAt = [&](float s) {
     const auto after = std::upper_bound(pieces.begin(), pieces.end(), s,
                                         [](float value, const DevicePiece& p) { return value < p.low; });
@@ -135,15 +150,20 @@ TransferBuffer::TransferBuffer(const gpu::Context& context, const TransferTables
       pieceTexels_(tables.pieces),
       pieceBuffer_(gpu::makeBuffer(context, tables.pieces, "transfer pieces")),
       binBuffer_(gpu::makeBuffer(context, tables.pieceBins, "transfer piece bins")),
+      pointBuffer_(gpu::makeBuffer(context, tables.points, "transfer points")),
+      pointScalarBuffer_(gpu::makeBuffer(context, tables.pointScalars, "transfer point scalars")),
       extinctionBuffer_(gpu::makeBuffer(context, tables.largestExtinction, "largest extinctions")),
       supportBuffer_(gpu::makeBuffer(context, atLeastOne(tables.support), "transfer support")),
       pieceView_(context, pieceBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT),
       binView_(context, binBuffer_, VK_FORMAT_R32_UINT),
+      pointView_(context, pointBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT),
+      pointScalarView_(context, pointScalarBuffer_, VK_FORMAT_R32_SFLOAT),
       extinctionView_(context, extinctionBuffer_, VK_FORMAT_R32_SFLOAT),
       supportView_(context, supportBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT) {}
 
 std::uint64_t TransferBuffer::sizeBytes() const {
-  return pieceBuffer_.sizeBytes() + binBuffer_.sizeBytes() + extinctionBuffer_.sizeBytes() + supportBuffer_.sizeBytes();
+  return pieceBuffer_.sizeBytes() + binBuffer_.sizeBytes() + pointBuffer_.sizeBytes() + pointScalarBuffer_.sizeBytes() +
+         extinctionBuffer_.sizeBytes() + supportBuffer_.sizeBytes();
 }
 
 }  // namespace tetralux::render

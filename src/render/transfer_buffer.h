@@ -16,6 +16,8 @@ namespace tetralux::render {
 struct TransferTables {
   std::vector<glm::vec4> pieces;         // TRANSFER_PIECE_TEXELS per piece
   std::vector<std::uint32_t> pieceBins;  // two per bin: the pieces at its low and high end
+  std::vector<glm::vec4> points;         // luminance, extinction at control points; a step is two of one scalar
+  std::vector<float> pointScalars;       // ascending, from -1e30 to 1e30
   std::vector<float> largestExtinction;  // EXTINCTION_LEVELS x TRANSFER_BINS, per mesh unit; or emission, if larger
   std::vector<glm::vec4> support;        // xy: open intervals of scalars inside which there is extinction or emission
 };
@@ -31,6 +33,8 @@ class TransferBuffer {
 
   const gpu::TexelView& pieces() const { return pieceView_; }
   const gpu::TexelView& pieceBins() const { return binView_; }
+  const gpu::TexelView& points() const { return pointView_; }
+  const gpu::TexelView& pointScalars() const { return pointScalarView_; }
   const gpu::TexelView& largestExtinction() const { return extinctionView_; }
   const gpu::TexelView& support() const { return supportView_; }
   std::uint32_t supportCount() const { return supportCount_; }
@@ -47,10 +51,14 @@ class TransferBuffer {
   std::vector<glm::vec4> pieceTexels_;
   gpu::Buffer pieceBuffer_;
   gpu::Buffer binBuffer_;
+  gpu::Buffer pointBuffer_;
+  gpu::Buffer pointScalarBuffer_;
   gpu::Buffer extinctionBuffer_;
   gpu::Buffer supportBuffer_;
   gpu::TexelView pieceView_;
   gpu::TexelView binView_;
+  gpu::TexelView pointView_;
+  gpu::TexelView pointScalarView_;
   gpu::TexelView extinctionView_;
   gpu::TexelView supportView_;
 };

@@ -16,25 +16,23 @@ layout(constant_id = SPEC_PART_ACCURACY) const uint kPartAccuracy = PART_FULL;
 // exp(-16): what lies behind adds less than a rounding error. A frame that may err by more leaves out more.
 layout(constant_id = SPEC_LEAST_TRANSMITTANCE) const float kLeastTransmittance = 1.1e-7;
 
-const float kLargestPartDepth = 1.0;
+// Smaller parts are right with polynomials of a lower degree: most parts are thin, so that costs few rounds more.
+const float kLargestPartDepth = kPartAccuracy == PART_FULL || kPartAccuracy == PART_FINE ? 0.5 : 1.0;
 const int kMostParts = 1 << 20;       // more than any segment has
 // With emission per length, what lies behind may be any number of times brighter than what lies in front: there the
 // transmittance is kept as a product, with all its digits, and the walk ends where it is below this, exp(-28).
 const float kLeastGlowTransmittance = 1e-12;
 
-// (1 - exp(-m)) / m for 0 <= m <= 1: Taylor series, first term left out m^9/10! < 2.8e-7; below full accuracy, polynomials fitted
-// to the least relative error.
+// (1 - exp(-m)) / m for 0 <= m <= kLargestPartDepth: polynomials fitted to the least relative error.
 float relativeOpacity(float m) {
   if (kPartAccuracy == PART_COARSE) return 0.998891234 + m * (-0.48128441 + m * 0.115214661);
   if (kPartAccuracy == PART_MEDIUM) return 0.999945521 + m * (-0.498362511 + m * (0.158553019 + m * -0.0280499086));
-  if (kPartAccuracy == PART_FINE)
-    return 0.999997735 + m * (-0.499894232 + m * (0.165839463 + m * (-0.0393327735 + m * 0.00551174441)));
-  return 1.0 - m * (1.0 / 2.0 - m * (1.0 / 6.0 - m * (1.0 / 24.0 - m * (1.0 / 120.0 - m * (1.0 / 720.0 -
-         m * (1.0 / 5040.0 - m * (1.0 / 40320.0 - m * (1.0 / 362880.0))))))));
+  if (kPartAccuracy == PART_FINE) return 0.999996251 + m * (-0.499768514 + m * (0.164367534 + m * -0.0341450334));
+  return 0.999999922 + m * (-0.499992483 + m * (0.166548037 + m * (-0.0410009707 + m * 0.00677075985)));
 }
 
-// V = Psi - zeta for optical depths a (back) and b (front) with (a + b)/2 <= 1: polynomial of degree 5 fitted to the exact
-// values, relative error 2.7e-6; below full accuracy of degree 2 to 4, fitted to the least error relative to 1 - zeta.
+// V = Psi - zeta for optical depths a (back) and b (front) with (a + b)/2 <= kLargestPartDepth: polynomials fitted to the exact
+// values, with the least error relative to 1 - zeta.
 float emissionMoment(float a, float b) {
   if (kPartAccuracy == PART_COARSE)
     return max(a * (0.325608253 + a * -0.0704976097) + b * (0.158950955 + a * -0.121014133 + b * -0.0356682651), 0.0);
@@ -43,20 +41,17 @@ float emissionMoment(float a, float b) {
            b * (0.166175216 + a * (-0.166964829 + a * 0.0341068953) +
                 b * (-0.0547951683 + a * 0.0300969929 + b * 0.00707249343));
   if (kPartAccuracy == PART_FINE)
-    return a * (0.333308399 + a * (-0.0996285751 + a * (0.0169382934 + a * -0.00154344051))) +
-           b * (0.166641802 + a * (-0.17432332 + a * (0.0479732119 + a * -0.00597655214)) +
-                b * (-0.0579991899 + a * (0.0427820422 + a * -0.00848062709) +
-                     b * (0.010559883 + a * -0.00506906863 + b * -0.000971216883)));
-  const float p1 = 0.33333237 + a * (-0.099976953 + a * (0.017765454 + a * (-0.0021834529 + a * 0.00015626764)));
-  const float p2 = 0.16666578 + a * (-0.17495593 + a * (0.050328199 + a * (-0.0084558776 + a * 0.00076457759)));
-  const float p3 = -0.058313934 + a * (0.044986556 + a * (-0.012029666 + a * 0.0014810083));
-  const float p4 = 0.011236086 + a * (-0.0072663196 + a * 0.0014069414);
-  const float p5 = -0.0014452079 + a * 0.00064137307;
-  return a * p1 + b * (p2 + b * (p3 + b * (p4 + b * (p5 + b * 0.00010493288))));
+    return a * (0.333250983 + a * (-0.0987802194 + a * 0.0146727319)) +
+           b * (0.166587354 + a * (-0.17266358 + a * 0.0413973845) +
+                b * (-0.0572888764 + a * 0.0366823062 + b * 0.00891617392));
+  return a * (0.333330867 + a * (-0.0999417798 + a * (0.0175853981 + a * -0.00188199539))) +
+         b * (0.166664299 + a * (-0.174887107 + a * (0.0498017306 + a * -0.00727878305)) +
+              b * (-0.0582814023 + a * (0.0444846556 + a * -0.0103313319) +
+                   b * (0.0110873246 + a * -0.00621295563 + b * -0.00122143382)));
 }
 
-// X = int_0^1 u exp(-b u - (a - b) u^2/2) du for the same depths: polynomial of degree 5 fitted to the exact values, relative
-// error 3.6e-7. Nothing vanishes for thin parts: X = 1/2 where a = b = 0.
+// X = int_0^1 u exp(-b u - (a - b) u^2/2) du, (a + b)/2 <= 1: polynomial of degree 5 fitted to the exact values, relative error
+// 3.6e-7. Nothing vanishes for thin parts: X = 1/2 where a = b = 0.
 float lengthMoment(float a, float b) {
   const float p0 = 0.49999982 + a * (-0.12499949 + a * (0.020832447 + a * (-0.0025991532 + a * (0.00025135197 + a * -1.5589365e-05))));
   const float p1 = -0.20832783 + a * (0.05831033 + a * (-0.0099957166 + a * (0.0012116804 + a * -8.8660912e-05)));
@@ -67,7 +62,8 @@ float lengthMoment(float a, float b) {
 }
 
 // How much of a part is kept where its optical depth would become too large for the polynomials: the share k at which
-// e0 k + (e1 - e0) k^2/2, with e = extinction times length, reaches the limit. 1 for a part that need not be cut.
+// e0 k + (e1 - e0) k^2/2, with e = extinction times length, reaches the limit. 1 for a part that need not be cut. (A bound without
+// the root would do for small depths, but takes as many parts as the depth where extinction rises from nothing.)
 float keptShare(float extinction0, float extinction1, float part) {
   const float e0 = extinction0 * part;
   const float root = sqrt(max(0.0, e0 * e0 + 2.0 * kLargestPartDepth * (extinction1 * part - e0)));

@@ -65,7 +65,7 @@ const char* partAccuracyName(PartAccuracy accuracy) {
 }
 
 PartError partError(PartAccuracy accuracy) {
-  static constexpr PartError kErrors[] = {{3e-7, 2.7e-6}, {2.3e-6, 5.0e-5}, {5.5e-5, 9.9e-4}, {1.2e-3, 1.6e-2}};
+  static constexpr PartError kErrors[] = {{1e-7, 3.2e-6}, {3.8e-6, 1.3e-4}, {5.5e-5, 9.9e-4}, {1.2e-3, 1.6e-2}};
   return kErrors[static_cast<size_t>(accuracy)];
 }
 

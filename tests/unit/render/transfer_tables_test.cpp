@@ -30,6 +30,17 @@ TEST(TransferTables, PiecesAreTheTransferFunctionInTheDevicesUnits) {
   EXPECT_EQ(tables.pieces.front().w, 0.0f);
 }
 
+TEST(TransferTables, PointsAreTheEndsOfAllPiecesOnceEach) {
+  const TransferFunction transfer({{0, {1, 0, 0}, 1}, {0.5, {0, 1, 0}, 2}, {0.5, {0, 0, 1}, 7}, {1, {}, 9}}, "t");
+  const TransferTables tables = makeTransferTables(transfer, space(0, 1));
+  EXPECT_EQ(tables.pointScalars, (std::vector<float>{-1e30f, -0.5f, 0.0f, 0.0f, 0.5f, 1e30f}));
+  ASSERT_EQ(tables.points.size(), tables.pointScalars.size());
+  EXPECT_EQ(tables.points[0], tables.points[1]);
+  EXPECT_EQ(tables.points[2], glm::vec4(0, 1, 0, 2));  // below the step
+  EXPECT_EQ(tables.points[3], glm::vec4(0, 0, 1, 7));  // above it
+  EXPECT_EQ(tables.points[5], glm::vec4(0, 0, 0, 9));
+}
+
 TEST(TransferTables, BinsNameThePieceAtTheirEnds) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-0.2, 1.2);

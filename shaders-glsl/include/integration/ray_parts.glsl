@@ -1,0 +1,76 @@
+// The exact method along a whole ray: as in exact.glsl, but scalar and optics at the place that the walk has come to are kept from
+// part to part and from cell to cell, because they are continuous there. A part then needs only the control point that it runs
+// towards: five numbers instead of thirteen.
+//
+// Optics are interpolated from where the ray is to the control point ahead. That is a convex combination, so roundings fade
+// instead of growing, and at a control point they are gone.
+//
+// Before including: exact.glsl, and the binding numbers TRANSFER_POINTS and TRANSFER_POINT_SCALARS.
+
+// Control points in ascending order; a step is two of the same scalar. The first and the last are at -1e30 and 1e30.
+layout(binding = TRANSFER_POINTS) uniform samplerBuffer transferPoints;              // luminance, extinction
+layout(binding = TRANSFER_POINT_SCALARS) uniform samplerBuffer transferPointScalars;
+
+struct RayParts {
+  float scalar;     // where the ray is
+  float back;       // at the end of the cell
+  float thickness;  // from here to there, mesh units
+  vec4 optics;      // luminance, extinction here
+  int interval;     // between control points i and i + 1
+};
+
+// Index of the last control point that is not above a scalar.
+int intervalOf(float scalar) {
+  int low = 0;
+  int high = textureSize(transferPointScalars) - 1;
+  for (int round = 0; round < 32; round++) {
+    if (high - low <= 1) break;
+    const int middle = (low + high) / 2;
+    const bool isBehind = texelFetch(transferPointScalars, middle).x <= scalar;
+    low = isBehind ? middle : low;
+    high = isBehind ? high : middle;
+  }
+  return low;
+}
+
+RayParts beginRay(float scalar, float back, float thickness) {
+  RayParts ray = RayParts(scalar, back, thickness, vec4(0.0), intervalOf(scalar));
+  const float low = texelFetch(transferPointScalars, ray.interval).x;
+  const float high = texelFetch(transferPointScalars, ray.interval + 1).x;
+  ray.optics = mix(texelFetch(transferPoints, ray.interval), texelFetch(transferPoints, ray.interval + 1),
+                   clamp((scalar - low) / (high - low), 0.0, 1.0));
+  return ray;
+}
+
+// Composites the next part behind light and opacity. Returns whether it was the cell's last one.
+//   clearness   with emission per length: the transmittance so far, 1 at first
+bool walkRayPart(inout RayParts ray, inout vec3 light, inout float opacity, inout float clearness) {
+  const float rise = ray.back - ray.scalar;
+  const bool rising = rise >= 0.0;
+  const int ahead = rising ? ray.interval + 1 : ray.interval;
+  const float scalarAhead = texelFetch(transferPointScalars, ahead).x;
+  const vec4 opticsAhead = texelFetch(transferPoints, ahead);
+
+  // A cell of one scalar, on a control point: what comes after it counts.
+  const bool isLast = rising ? (rise > 0.0 ? scalarAhead >= ray.back : scalarAhead > ray.back) : scalarAhead <= ray.back;
+  const float toAhead = scalarAhead - ray.scalar;
+  const float whole = isLast ? toAhead : rise;
+  const float quotient = whole == 0.0 ? 0.0 : clamp((isLast ? rise : toAhead) / whole, 0.0, 1.0);
+  float towards = isLast ? quotient : 1.0;             // share of the way to the control point
+  float part = (isLast ? 1.0 : quotient) * ray.thickness;
+
+  const vec4 change = opticsAhead - ray.optics;
+  const float keep = keptShare(ray.optics.w, ray.optics.w + towards * change.w, part);
+  const bool isCut = keep < 1.0;
+  towards *= keep;
+  part *= keep;
+  const vec4 risen = towards * change;
+  const float extinctionBack = ray.optics.w + risen.w;
+  addPart(ray.optics.w, extinctionBack, ray.optics.xyz, risen.xyz, part, light, opacity, clearness);
+
+  ray.optics += risen;
+  ray.scalar = isCut ? ray.scalar + towards * toAhead : isLast ? ray.back : scalarAhead;
+  ray.thickness -= part;
+  if (!isCut && !isLast) ray.interval = rising ? ray.interval + 1 : ray.interval - 1;
+  return isLast && !isCut;
+}

@@ -1,0 +1,69 @@
+#include "render/walk_topology.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "base/parallel.h"
+
+namespace tetralux::render {
+namespace {
+
+constexpr size_t kGrain = 1 << 14;
+
+// What is left when a cell's vertices are taken out of this is none of them.
+std::uint32_t vertexXor(const TetMesh& mesh, std::uint32_t cell) {
+  const auto& v = mesh.cells[cell];
+  return v[0] ^ v[1] ^ v[2] ^ v[3];
+}
+
+using Across = std::array<std::uint32_t, 2>;
+
+std::vector<std::array<Across, 4>> listAcross(const TetMesh& mesh, const Adjacency& adjacency) {
+  std::vector<std::array<Across, 4>> across(mesh.cellCount());
+  parallelFor(mesh.cellCount(), kGrain, [&](size_t begin, size_t end, unsigned) {
+    for (size_t i = begin; i < end; i++) {
+      const auto cell = static_cast<std::uint32_t>(i);
+      auto sorted = mesh.cells[cell];
+      std::sort(sorted.begin(), sorted.end());
+      for (size_t k = 0; k < 4; k++) {
+        const std::uint32_t next = adjacency.neighbors[cell][k];
+        const std::uint32_t face = vertexXor(mesh, cell) ^ sorted[k];
+        across[cell][k] = {next, next == kNoCell ? 0 : vertexXor(mesh, next) ^ face};
+      }
+    }
+  });
+  return across;
+}
+
+// Four times the cell, plus the place among its vertices in ascending order of the one that the face does not have.
+std::uint32_t faceCode(const TetMesh& mesh, const BoundaryFace& face) {
+  const auto& [a, b, c] = face.vertices;
+  const std::uint32_t opposite = vertexXor(mesh, face.cell) ^ a ^ b ^ c;
+  return 4 * face.cell + static_cast<std::uint32_t>((a < opposite) + (b < opposite) + (c < opposite));
+}
+
+std::vector<std::array<std::uint32_t, 4>> listBoundary(const TetMesh& mesh, const Adjacency& adjacency) {
+  std::vector<std::array<std::uint32_t, 4>> faces;
+  faces.reserve(adjacency.boundary.size());
+  for (const BoundaryFace& face : adjacency.boundary) {
+    const auto& [a, b, c] = face.vertices;
+    faces.push_back({a, b, c, faceCode(mesh, face)});
+  }
+  return faces;
+}
+
+}  // namespace
+
+WalkTopology::WalkTopology(const gpu::Context& context, const TetMesh& mesh, const Adjacency& adjacency)
+    : boundaryCount_(static_cast<std::uint32_t>(adjacency.boundary.size())),
+      acrossBuffer_(gpu::makeBuffer(context, listAcross(mesh, adjacency), "walk topology")),
+      boundaryBuffer_(gpu::makeBuffer(context, listBoundary(mesh, adjacency), "walk boundary")),
+      acrossView_(context, acrossBuffer_, VK_FORMAT_R32G32_UINT),
+      boundaryView_(context, boundaryBuffer_, VK_FORMAT_R32G32B32A32_UINT) {}
+
+std::uint64_t WalkTopology::sizeBytes() const {
+  return acrossBuffer_.sizeBytes() + boundaryBuffer_.sizeBytes();
+}
+
+}  // namespace tetralux::render
