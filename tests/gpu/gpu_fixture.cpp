@@ -26,6 +26,15 @@ void makeContext() {
   }
 }
 
+// A driver takes itself down in destructors of static objects, maybe before ours: by then the context has to be gone.
+class ContextLifetime : public ::testing::Environment {
+ public:
+  void TearDown() override { sharedContext.reset(); }
+};
+
+[[maybe_unused]] const ::testing::Environment* const contextLifetime =
+    ::testing::AddGlobalTestEnvironment(new ContextLifetime);
+
 }  // namespace
 
 void GpuTest::SetUp() {
