@@ -43,12 +43,12 @@ Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const Scala
   std::optional<Adjacency> adjacency;
   std::optional<std::vector<std::array<std::uint32_t, 2>>> overlaps;
   if (options.projection == CellProjection::Auto) {
-    const bool mayWalk = context.info().isCpu && options.order == Order::Auto && options.mayWalk;
+    const bool mayWalk = options.order == Order::Auto && options.mayWalk;
     if (mayWalk) {
       adjacency = makeAdjacency(mesh);
       overlaps = findOverlaps(mesh, *adjacency);
     }
-    projection_ = chooseProjection(context.info().isCpu, mayWalk && overlaps->empty(), options.tolerance);
+    projection_ = chooseProjection(mayWalk && overlaps->empty());
   }
   if (projection() == CellProjection::March) {
     marchPass_ = std::make_unique<MarchPass>(context);

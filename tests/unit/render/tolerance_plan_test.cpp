@@ -69,12 +69,9 @@ TEST(TolerancePlan, KnowsTheBrightestPartOfTheRangeAlone) {
   EXPECT_NEAR(largestLuminance(transfer, 3.0, 9.0), 5.0, 1e-12);
 }
 
-TEST(ProjectionChoice, DependsOnDeviceMeshAndTolerance) {
-  EXPECT_EQ(chooseProjection(true, true, std::nullopt).projection, CellProjection::March);
-  EXPECT_EQ(chooseProjection(true, false, std::nullopt).projection, CellProjection::Silhouette);
-  EXPECT_EQ(chooseProjection(false, true, std::nullopt).projection, CellProjection::Pt);
-  EXPECT_EQ(chooseProjection(false, true, 0.1).projection, CellProjection::Pt);
-  EXPECT_EQ(chooseProjection(false, true, 0.001).projection, CellProjection::Silhouette);
+TEST(ProjectionChoice, DependsOnTheMeshAlone) {
+  EXPECT_EQ(chooseProjection(/*isWalkable=*/true).projection, CellProjection::March);
+  EXPECT_EQ(chooseProjection(/*isWalkable=*/false).projection, CellProjection::Silhouette);
 }
 
 }  // namespace
