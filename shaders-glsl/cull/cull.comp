@@ -45,6 +45,12 @@ const float kSampleMargin = 1.0 / 128.0;
 // With so many pixel centres in its box, a cell is not tested against each of them.
 const float kTestedSamples = 4.0;
 
+// Floats as integers of the same order.
+int ordered(float value) {
+  const int bits = floatBitsToInt(value);
+  return bits >= 0 ? bits : bits ^ 0x7fffffff;
+}
+
 bool isInSupport(vec4 scalar) {
   const float low = min(min(scalar.x, scalar.y), min(scalar.z, scalar.w));
   const float high = max(max(scalar.x, scalar.y), max(scalar.z, scalar.w));
@@ -53,7 +59,8 @@ bool isInSupport(vec4 scalar) {
   const uint count = min(view.supportCount, uint(textureSize(supportIntervals)));
   for (uint i = 0; i < count; i++) {
     const vec2 interval = texelFetch(supportIntervals, int(i)).xy;
-    found = found || (low < interval.y && high > interval.x);
+    // An interval that begins at a step at 0 begins with the largest number below it, which devices may take for 0.
+    found = found || (low < interval.y && ordered(high) > ordered(interval.x));
   }
   return found;
 }

@@ -109,6 +109,10 @@ TEST_F(GpuTest, CullTestsTheScalarRangeAndNotTheVertices) {
   EXPECT_EQ(transparent({{1, {}, 0}, {2, {}, 1}}), 6u);
   EXPECT_EQ(transparent({{0, {}, 0}}), 6u);
   EXPECT_EQ(transparent({{1, {}, 0}, {1, {}, 1}}), 0u) << "a vertex exactly on a step up";
+  // Normalised to 0: the next number below is one that devices may take for 0.
+  mesh.pointArrays[0].values = std::vector<float>(mesh.pointCount(), 0.5f);
+  EXPECT_EQ(transparent({{0.5, {}, 0}, {0.5, {}, 1}}), 0u) << "all on a step up";
+  EXPECT_EQ(transparent({{0.5, {}, 0}, {1, {}, 1}}), 6u) << "all where a slope begins";
 }
 
 TEST_F(GpuTest, CullCountsCellsBehindTheEyeAndBesideTheImageAsOutside) {
