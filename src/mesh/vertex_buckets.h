@@ -12,8 +12,20 @@
 
 namespace tetralux {
 
-// Indices in ascending order.
-CellVertices sortedVertices(CellVertices v);
+// Indices in ascending order. In the header: loops over all cells call nothing else.
+inline CellVertices sortedVertices(CellVertices v) {
+  const auto order = [&v](size_t a, size_t b) {
+    const std::uint32_t low = v[a] < v[b] ? v[a] : v[b];
+    v[b] = v[a] < v[b] ? v[b] : v[a];
+    v[a] = low;
+  };
+  order(0, 1);
+  order(2, 3);
+  order(0, 2);
+  order(1, 3);
+  order(1, 2);
+  return v;
+}
 
 inline bool hasRepeatedVertex(const CellVertices& sorted) {
   return sorted[0] == sorted[1] || sorted[1] == sorted[2] || sorted[2] == sorted[3];
