@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "base/parallel.h"
+#include "mesh/connected_parts.h"
 
 namespace tetralux {
 namespace {
@@ -75,39 +76,6 @@ bool overlap(const Corners& a, const Corners& b) {
   return true;
 }
 
-// Cells that may take the space of others: those on the smaller side of the folds, part by part, and all of every
-// connected part but the largest. Folded faces separate the sides.
-std::vector<bool> suspects(const Adjacency& adjacency) {
-  const size_t count = adjacency.neighbors.size();
-  std::vector<bool> result(count, false);
-  std::vector<bool> isVisited(count, false);
-  std::vector<bool> side(count, false);
-  std::vector<std::uint32_t> part;
-  std::vector<std::uint32_t> largestPart;
-  for (std::uint32_t start = 0; start < count; start++) {
-    if (isVisited[start]) continue;
-    part.assign(1, start);
-    isVisited[start] = true;
-    size_t onOtherSide = 0;
-    for (size_t i = 0; i < part.size(); i++) {
-      const std::uint32_t cell = part[i];
-      if (side[cell]) onOtherSide++;
-      for (std::uint32_t k = 0; k < 4; k++) {
-        const std::uint32_t neighbor = adjacency.neighbors[cell][k];
-        if (neighbor == kNoCell || isVisited[neighbor]) continue;
-        isVisited[neighbor] = true;
-        side[neighbor] = side[cell] != ((adjacency.sides[cell] >> (4 + k) & 1) != 0);
-        part.push_back(neighbor);
-      }
-    }
-    const bool smaller = 2 * onOtherSide < part.size();
-    for (const std::uint32_t cell : part) result[cell] = side[cell] == smaller && onOtherSide > 0;
-    if (part.size() > largestPart.size()) part.swap(largestPart);
-    for (const std::uint32_t cell : part) result[cell] = true;
-  }
-  return result;
-}
-
 // Boxes of cells in a uniform grid over all of them, about one to a bin.
 class BoxGrid {
  public:
@@ -166,7 +134,7 @@ class BoxGrid {
 
 std::vector<std::array<std::uint32_t, 2>> findOverlaps(const TetMesh& mesh, const Adjacency& adjacency) {
   std::vector<std::array<std::uint32_t, 2>> pairs;
-  const std::vector<bool> isSuspect = suspects(adjacency);
+  const std::vector<bool> isSuspect = cellsThatMayOverlap(adjacency);
   std::vector<std::uint32_t> suspected;
   for (std::uint32_t cell = 0; cell < isSuspect.size(); cell++) {
     if (isSuspect[cell]) suspected.push_back(cell);
