@@ -105,6 +105,9 @@ Meeting meeting(Face face) {
   return Meeting(area > 1e-37 ? vec2(depth, scalar) * inverse : vec2(face.a.depth, face.a.scalar), area);
 }
 
+// Depths as integers of the same order, without the last bit. They are within 1.8 of the mesh's centre: what is compared is positive.
+uint depthRank(float depth) { return floatBitsToUint(depth + 4.0) & ~ENTRY_BIT; }
+
 vec2 meetFirst(Face face) { return meeting(face).there; }
 
 // Places are rounded by some 2^-23, so twice an area by that times the distances of the corners. Where a face's area is

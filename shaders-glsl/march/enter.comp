@@ -80,8 +80,7 @@ void main() {
     if (!leftAB) face = Face(a, c, b);
     const Meeting there = meeting(face);
     const float depth = there.there.x;
-    // Depths are within 1.8 of the mesh's centre: what is sorted by is positive.
-    const uint rank = (floatBitsToUint(depth + 4.0) & ~ENTRY_BIT) | (leftAB ? ENTRY_BIT : 0u);
+    const uint rank = depthRank(depth) | (leftAB ? ENTRY_BIT : 0u);
     if (isMet && there.area != 0.0 && !(kNearCells && depth < ray.eyeDepth)) addNode(tile, place, rank, entry.w);
     at.x++;
     if (at.x > last.x) at = uvec2(first.x, at.y + 1u);

@@ -1,7 +1,9 @@
 // Rays walk through the mesh from the front and gather light.
 //
 // One invocation per pixel; its list holds the faces where its ray enters the mesh, near ones first. A walk ends where the ray
-// leaves the mesh, or where nothing behind can be seen any more. After kRounds rounds the face at which the ray stands takes
+// leaves the mesh, or where nothing behind can be seen any more. Where layers of the mesh overlap, it is also left where the middle of
+// its next segment lies behind the next entry in the list, and waits there with that middle as its rank: so segments are composited in
+// the order of their middles. (An entry lies before its segment's middle; found to be too near, it goes back into the list itself.) After kRounds rounds the face at which the ray stands takes
 // the place of its entry, the pixel is counted, and another dispatch goes on.
 //
 // With exact integration, a round of the loop is one part of a cell's segment (include/integration/exact.glsl), most cells have
@@ -18,6 +20,7 @@
 #include "shared/march.h"
 #include "shared/pixel_lists.h"
 #include "shared/spec_ids.h"
+#include "shared/visibility.h"
 
 layout(local_size_x = MARCH_WORKGROUP) in;
 
@@ -42,9 +45,10 @@ layout(local_size_x = MARCH_WORKGROUP) in;
 #include "include/ray_walk.glsl"
 
 layout(binding = 0, scalar) uniform FrameViewBlock { FrameView view; };
-layout(binding = 7, scalar) buffer PixelHeads { uint pixelHeads[]; };
-layout(binding = 8, scalar) readonly buffer PixelLinks { uint pixelLinks[]; };
-layout(binding = 9, scalar) buffer PixelRanks { uvec2 pixelRanks[]; };
+#define PIXEL_HEADS 7
+#define PIXEL_LINKS 8
+#define PIXEL_RANKS 9
+#include "include/pixel_lists.glsl"
 layout(binding = 10, scalar) buffer Colors { vec4 colors[]; };
 layout(binding = 11, scalar) buffer Counts { MarchCounts counts; };
 
@@ -62,17 +66,19 @@ const uint kRounds = kIntegration == INTEGRATION_EXACT ? MARCH_ROUNDS : MARCH_CE
 struct Segment {
   float front, back;  // scalars
   float thickness;    // mesh units
+  uint rank;          // of its middle, among all segments on the ray
 };
 
 // The segment between two faces; what lies behind the eye is cut off.
 Segment cellSegment(Ray ray, uint cell, vec2 enter, vec2 leave) {
-  Segment segment = Segment(enter.y, leave.y, leave.x - enter.x);
+  Segment segment = Segment(enter.y, leave.y, leave.x - enter.x, 0u);
   if (kCellField) segment.front = segment.back = loadCellScalar(mesh, cell);
   if (kNearCells) {
     const float hidden = clamp((ray.eyeDepth - enter.x) / max(segment.thickness, 1e-30), 0.0, 1.0);
     segment.front = mix(segment.front, segment.back, hidden);
     segment.thickness *= 1.0 - hidden;
   }
+  segment.rank = depthRank(leave.x - 0.5 * segment.thickness) | ENTRY_BIT;
   segment.thickness *= ray.lengthPerDepth;
   return segment;
 }
@@ -86,6 +92,24 @@ bool gather(inout PartWalk parts, inout vec3 light, inout float opacity, inout f
   clearness *= 1.0 - color.a;
   opacity += (1.0 - opacity) * color.a;
   return true;
+}
+
+// Rank of the next face in a list; none: beyond all.
+uint rankOf(uint node) { return node == NO_NODE ? 0xffffffffu : pixelRanks[node].x; }
+
+// Takes the first node out of a list and puts it back where its rank belongs. Returns the new first node.
+uint putBack(uint node) {
+  const uint rank = pixelRanks[node].x;
+  const uint head = pixelLinks[node];
+  uint last = head;
+  for (uint i = 0; i < kLongestList; i++) {
+    const uint next = pixelLinks[last];
+    if (rankOf(next) >= rank) break;
+    last = next;
+  }
+  pixelLinks[node] = pixelLinks[last];
+  pixelLinks[last] = node;
+  return head;
 }
 
 void main() {
@@ -104,14 +128,15 @@ void main() {
   uint rounds = 0;
   for (uint walk = 0; walk < kRounds; walk++) {
     const uint code = pixelRanks[node].y;
+    const uint nextRank = rankOf(pixelLinks[node]);
     Face face = loadFace(mesh, ray, code);
     Behind next = behindFace(mesh, code);
-    uint cell = next.cell;
+    Behind at = next;
     vec2 enter = meetFirst(face);
 
     crossCell(mesh, acrossAt, ray, next, face);
     vec2 leave = meetNext(face, enter);
-    Segment segment = cellSegment(ray, cell, enter, leave);
+    Segment segment = cellSegment(ray, at.cell, enter, leave);
     RayParts carried;
     PartWalk parts;
     if (kIsCarried)
@@ -119,18 +144,21 @@ void main() {
     else
       parts = beginParts(segment.front, segment.back, segment.thickness);
     bool isThrough = false;
+    bool isOvertaken = segment.rank > nextRank;
     for (uint round = 0; round < MARCH_LAST_ROUND; round++) {
+      if (isOvertaken) break;
       const bool isLast = kIsCarried ? walkRayPart(carried, color.rgb, color.a, clearness)
                                      : gather(parts, color.rgb, color.a, clearness);
       rounds++;
       isThrough = (isLast && next.cell == NO_CELL) || isWalkOpaque(color.a, clearness);
       if (isThrough || (isLast && rounds >= kRounds)) break;
       if (isLast) {
-        cell = next.cell;
+        at = next;
         enter = leave;
         crossCell(mesh, acrossAt, ray, next, face);
         leave = meetNext(face, enter);
-        segment = cellSegment(ray, cell, enter, leave);
+        segment = cellSegment(ray, at.cell, enter, leave);
+        isOvertaken = segment.rank > nextRank;
         if (kIsCarried) {
           carried.back = segment.back;
           carried.thickness = segment.thickness;
@@ -139,10 +167,15 @@ void main() {
         }
       }
     }
-    if (isThrough)
+    if (isThrough) {
       node = isWalkOpaque(color.a, clearness) ? NO_NODE : pixelLinks[node];
-    else
+    } else if (isOvertaken) {
+      // Layers overlap: a segment of another one comes first.
+      pixelRanks[node] = uvec2(segment.rank, cellFace(mesh, at.cell, at.vertex));
+      node = putBack(node);
+    } else {
       pixelRanks[node].y = cellFace(mesh, next.cell, next.vertex);
+    }
     if (node == NO_NODE || rounds >= kRounds) break;
   }
   if (kEmissionPerLength && node != NO_NODE) color.a = -clearness;  // kept with all its digits for the next dispatch

@@ -48,7 +48,7 @@ void DeviceOptions::add(CLI::App& app) {
       ->check(CLI::Range(0u, shared::KBUFFER_LARGEST));
   app.add_option("--projection", projection,
                  "How cells become light in pixels (default: auto, which is "
-                 "march where no cells overlap and silhouette elsewhere)")
+                 "march, or silhouette where --order or --target asks for blending)")
       ->check(CLI::IsMember(render::projectionNames()));
   app.add_option("--order", order, "Order in which cells are drawn (default: auto)")
       ->check(CLI::IsMember(render::orderNames()));

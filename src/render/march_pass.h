@@ -1,9 +1,8 @@
 // Passes "enter" and "march": rays walk through the mesh's adjacency (Weiler et al. 2003, HARC; Espinha and Celes
 // 2005).
 //
-// A picture's order is right by construction, and only cells that are hit cost anything. Cells that overlap cannot be
-// walked through together: the mesh is cut where it is folded (mesh/cut_folds.h) and its layers are composited one
-// after the other, in the order in which the ray enters them.
+// A picture's order is right by construction, and only cells that are hit cost anything. Where cells overlap, each layer is walked
+// by itself (the mesh is cut where it is folded, mesh/cut_folds.h), and rays change between layers from segment to segment.
 #pragma once
 
 #include "gpu/commands.h"

@@ -33,10 +33,10 @@ ProjectionChoice chooseProjection(bool isWalkable) {
   // Frames took 0.60 to 0.95 of the time with outlines (eight scenes on Mesa's software device), 0.57 to 0.97 (H200).
   constexpr double kOutlinedShare = 0.75;
   if (isWalkable)
-    return {CellProjection::March, "no cells overlap: a cell costs less to walk through than to draw",
+    return {CellProjection::March, "a cell costs less to walk through than to draw",
             kWalkedNs / kDrawnNs};
   return {CellProjection::Silhouette,
-          "rays cannot walk: an outline costs less than a fan, and nothing is interpolated over the screen",
+          "cells are to be blended: an outline costs less than a fan, and nothing is interpolated over the screen",
           kOutlinedShare};
 }
 

@@ -27,7 +27,7 @@ struct ProjectionChoice {
 
 // What CellProjection::Auto becomes. Fans are never the best: on no device that was measured are they faster than
 // outlines by more than noise, and where rasterisers interpolate with few bits they err a hundred times more.
-//   isWalkable   no cells overlap, and nothing was asked for that only drawn cells have: rays may walk
+//   isWalkable   nothing was asked for that only drawn cells have (an order, a target for blending): rays may walk
 ProjectionChoice chooseProjection(bool isWalkable);
 
 }  // namespace tetralux::render

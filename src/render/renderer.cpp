@@ -40,29 +40,21 @@ Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const Scala
       tolerance_(options.tolerance),
       projection_{options.projection, "asked for", 0.0},
       target_(context) {
-  std::optional<Adjacency> adjacency;
-  std::optional<std::vector<std::array<std::uint32_t, 2>>> overlaps;
-  if (options.projection == CellProjection::Auto) {
-    const bool mayWalk = options.order == Order::Auto && options.mayWalk;
-    if (mayWalk) {
-      adjacency = makeAdjacency(mesh);
-      overlaps = findOverlaps(mesh, *adjacency);
-    }
-    projection_ = chooseProjection(mayWalk && overlaps->empty());
-  }
+  if (options.projection == CellProjection::Auto)
+    projection_ = chooseProjection(options.order == Order::Auto && options.mayWalk);
   if (projection() == CellProjection::March) {
     marchPass_ = std::make_unique<MarchPass>(context);
-    if (!adjacency) adjacency = makeAdjacency(mesh);
-    cutFolds(mesh, *adjacency);
-    marchStorage_ = std::make_unique<MarchStorage>(context, mesh, *adjacency);
+    Adjacency adjacency = makeAdjacency(mesh);
+    cutFolds(mesh, adjacency);
+    marchStorage_ = std::make_unique<MarchStorage>(context, mesh, adjacency);
     return;
   }
   passes_ = std::make_unique<FramePasses>(context);
   storage_ = std::make_unique<FrameStorage>(context, mesh_.cellCount(), sortVariant(context, options), projection());
+  std::optional<Adjacency> adjacency;
   if (options.checkOrder || needsVisibility(options.order)) {
-    if (!adjacency) adjacency = makeAdjacency(mesh);
-    if (!overlaps) overlaps = findOverlaps(mesh, *adjacency);
-    visibility_ = std::make_unique<VisibilityKit>(context, *adjacency, *overlaps);
+    adjacency = makeAdjacency(mesh);
+    visibility_ = std::make_unique<VisibilityKit>(context, *adjacency, findOverlaps(mesh, *adjacency));
   }
   order_ = makeOrder(context, {mesh, mesh_.space(), adjacency ? &*adjacency : nullptr}, options.order, options.kBuffer,
                      sortVariant(context, options), visibility_.get());

@@ -11,6 +11,7 @@ using render::Target;
 
 std::vector<Method> makeMethods() {
   std::vector<Method> list{{"default", "default", {}, {}, true}};
+  list.front().renderer.projection = CellProjection::Auto;
   const auto add = [&](const char* axis, const std::string& name, const auto& change) {
     Method method{axis, name, {}, {}, false};
     change(method);
@@ -28,7 +29,7 @@ std::vector<Method> makeMethods() {
     if (name != "auto") add("order", name, [&](Method& m) { m.renderer.order = render::parseOrder(name); });
   }
   for (const std::string& name : render::projectionNames()) {
-    if (name == "pt" || name == "auto") continue;  // the default, and a choice among the others
+    if (name == "auto") continue;  // the default
     add("projection", name, [&](Method& m) {
       m.renderer.projection = render::parseProjection(name);
       m.isStrict = true;

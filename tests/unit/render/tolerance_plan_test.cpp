@@ -69,7 +69,7 @@ TEST(TolerancePlan, KnowsTheBrightestPartOfTheRangeAlone) {
   EXPECT_NEAR(largestLuminance(transfer, 3.0, 9.0), 5.0, 1e-12);
 }
 
-TEST(ProjectionChoice, DependsOnTheMeshAlone) {
+TEST(ProjectionChoice, DependsOnWhatIsAskedForAlone) {
   EXPECT_EQ(chooseProjection(/*isWalkable=*/true).projection, CellProjection::March);
   EXPECT_EQ(chooseProjection(/*isWalkable=*/false).projection, CellProjection::Silhouette);
 }
