@@ -11,7 +11,7 @@
 // Where the origin is on an edge it is taken to be a little beside it, in the same direction for all edges (Edelsbrunner and
 // Muecke 1990). An edge along the ray has no sides, and is in no triangle that the origin lies in.
 //
-// Before including: TOPOLOGY_ACROSS is a binding number; mesh_access.glsl and view_space.glsl.
+// Before including: TOPOLOGY_ACROSS and MESH_VERTEX_RESTS are binding numbers; real.glsl, mesh_access.glsl and view_space.glsl.
 
 // What lies across the face opposite a cell's k-th vertex in ascending order, at 4 cell + k: the cell there, or NO_CELL, and the
 // vertex of it that the face does not have. So a step reads two numbers of the topology and four of the new vertex, one after
@@ -19,68 +19,109 @@
 layout(binding = TOPOLOGY_ACROSS) uniform usamplerBuffer topologyAcross;
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer AcrossAt { uvec2 data[]; };
 
+// What single precision leaves of a vertex' position; used when REAL_IS_DOUBLE.
+layout(binding = MESH_VERTEX_RESTS) uniform samplerBuffer meshVertexRests;
+layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer VertexRestsAt { vec4 data[]; };
+
 const uint NO_CELL = 0xffffffffu;
 
 struct Ray {
-  vec4 u;            // u = dot(u.xyz, mesh position) + u.w
-  vec4 v;
-  vec3 forward;      // depth from the mesh's centre = dot(forward, mesh position)
-  float eyeDepth;    // where the ray starts
+  real4 u;            // u = dot(u.xyz, mesh position) + u.w
+  real4 v;
+  real3 forward;      // depth from the mesh's centre = dot(forward, mesh position)
+  real eyeDepth;      // where the ray starts
   float lengthPerDepth;
 };
+
+real4 viewRow(FrameView view, int row) {
+#ifdef REAL_IS_DOUBLE
+  return real4(view.viewFromMesh[row]) + real4(view.viewFromMeshRest[row]);
+#else
+  return view.viewFromMesh[row];
+#endif
+}
+
+real pixelsPerUnit(FrameView view) {
+#ifdef REAL_IS_DOUBLE
+  return real(view.pixelsPerUnit) + real(view.pixelsPerUnitRest);
+#else
+  return view.pixelsPerUnit;
+#endif
+}
 
 // The ray through a pixel's centre.
 //   pixel   column, and row from the top
 Ray pixelRay(FrameView view, uvec2 pixel) {
-  const vec2 screen = vec2(float(pixel.x) + 0.5 - view.halfSize.x, view.halfSize.y - float(pixel.y) - 0.5) / view.pixelsPerUnit;
+  const vec2 fromCenter = vec2(float(pixel.x) + 0.5 - view.halfSize.x, view.halfSize.y - float(pixel.y) - 0.5);
+  const real2 screen = real2(fromCenter) / pixelsPerUnit(view);
+  const real4 forward = viewRow(view, 2);
   Ray ray;
-  ray.forward = view.viewFromMesh[2].xyz;
-  ray.eyeDepth = -view.viewFromMesh[2].w;
-  precise vec4 u = view.viewFromMesh[0];
-  precise vec4 v = view.viewFromMesh[1];
+  ray.forward = forward.xyz;
+  ray.eyeDepth = -forward.w;
+  precise real4 u = viewRow(view, 0);
+  precise real4 v = viewRow(view, 1);
   if (kPerspective) {
-    u -= screen.x * view.viewFromMesh[2];
-    v -= screen.y * view.viewFromMesh[2];
+    u -= screen.x * forward;
+    v -= screen.y * forward;
   } else {
     u.w -= screen.x;
     v.w -= screen.y;
   }
   ray.u = u;
   ray.v = v;
-  ray.lengthPerDepth = kPerspective ? sqrt(1.0 + dot(screen, screen)) : 1.0;
+  ray.lengthPerDepth = kPerspective ? sqrt(1.0 + float(dot(screen, screen))) : 1.0;
   return ray;
+}
+
+// A vertex: where it is in mesh space, and its scalar.
+struct Vertex {
+  uint index;
+  real3 position;
+  float scalar;
+};
+
+Vertex loadWalkVertex(MeshAddresses mesh, VertexRestsAt restsAt, uint index) {
+  const vec4 v = loadVertex(mesh, index);
+#ifdef REAL_IS_DOUBLE
+  const vec4 rest = kWideAddressing ? restsAt.data[index] : texelFetch(meshVertexRests, int(index));
+  return Vertex(index, real3(v.xyz) + real3(rest.xyz), v.w);
+#else
+  return Vertex(index, v.xyz, v.w);
+#endif
 }
 
 // A vertex, seen along the ray.
 struct Corner {
   uint vertex;
-  vec2 place;  // (u, v)
-  float depth;
+  real2 place;  // (u, v)
+  real depth;
   float scalar;
 };
 
-//   p   position in mesh space, scalar
-Corner seenCorner(Ray ray, uint vertex, vec4 p) {
-  precise const float u = (ray.u.x * p.x + ray.u.y * p.y) + (ray.u.z * p.z + ray.u.w);
-  precise const float v = (ray.v.x * p.x + ray.v.y * p.y) + (ray.v.z * p.z + ray.v.w);
-  return Corner(vertex, vec2(u, v), dot(ray.forward, p.xyz), p.w);
+Corner seenCorner(Ray ray, Vertex vertex) {
+  const real3 p = vertex.position;
+  precise const real u = (ray.u.x * p.x + ray.u.y * p.y) + (ray.u.z * p.z + ray.u.w);
+  precise const real v = (ray.v.x * p.x + ray.v.y * p.y) + (ray.v.z * p.z + ray.v.w);
+  return Corner(vertex.index, real2(u, v), dot(ray.forward, p), vertex.scalar);
 }
 
-Corner loadCorner(MeshAddresses mesh, Ray ray, uint vertex) { return seenCorner(ray, vertex, loadVertex(mesh, vertex)); }
+Corner loadCorner(MeshAddresses mesh, VertexRestsAt restsAt, Ray ray, uint index) {
+  return seenCorner(ray, loadWalkVertex(mesh, restsAt, index));
+}
 
 // Twice the signed area of the triangle of the origin, a and b. Exchanging a and b negates it exactly.
-float crossed(Corner a, Corner b) {
-  precise const float left = a.place.x * b.place.y;
-  precise const float right = a.place.y * b.place.x;
-  precise const float area = left - right;
+real crossed(Corner a, Corner b) {
+  precise const real left = a.place.x * b.place.y;
+  precise const real right = a.place.y * b.place.x;
+  precise const real area = left - right;
   return area;
 }
 
 // Whether the origin lies to the left of the edge from a to b.
 bool isLeft(Corner a, Corner b) {
-  // The origin's place is (1e-20, 1e-27): areas that are not zero are far larger, products of roundings of 2^-23.
-  precise const vec2 edge = a.place - b.place;
-  precise const float beside = edge.y * 1e-20 - edge.x * 1e-27;
+  // The origin's place is kBesideEdge: areas that are not zero are far larger, products of roundings.
+  precise const real2 edge = a.place - b.place;
+  precise const real beside = edge.y * kBesideEdge.x - edge.x * kBesideEdge.y;
   return crossed(a, b) + beside > 0.0;
 }
 
@@ -89,37 +130,72 @@ struct Face {
   Corner a, b, c;
 };
 
+// A place on the ray.
+struct Place {
+  real depth;
+  float scalar;
+};
+
 // Where the ray meets a face: a convex combination of the corners, whatever the rounding.
 struct Meeting {
-  vec2 there;   // depth, and scalar
-  float area;   // of the projected face, twice
+  Place there;
+  real area;   // of the projected face, twice
 };
 
 Meeting meeting(Face face) {
-  const vec3 weight =
-      max(vec3(crossed(face.b, face.c), crossed(face.c, face.a), crossed(face.a, face.b)), vec3(0.0));
-  const float area = weight.x + weight.y + weight.z;
-  const float depth = weight.x * face.a.depth + weight.y * face.b.depth + weight.z * face.c.depth;
-  const float scalar = weight.x * face.a.scalar + weight.y * face.b.scalar + weight.z * face.c.scalar;
-  const float inverse = 1.0 / max(area, 1e-37);
-  return Meeting(area > 1e-37 ? vec2(depth, scalar) * inverse : vec2(face.a.depth, face.a.scalar), area);
+  const real3 weight =
+      max(real3(crossed(face.b, face.c), crossed(face.c, face.a), crossed(face.a, face.b)), real3(0.0));
+  const real area = weight.x + weight.y + weight.z;
+  const real depth = weight.x * face.a.depth + weight.y * face.b.depth + weight.z * face.c.depth;
+  const real scalar = weight.x * face.a.scalar + weight.y * face.b.scalar + weight.z * face.c.scalar;
+  const real inverse = 1.0 / max(area, kNoArea);
+  return Meeting(Place(area > kNoArea ? depth * inverse : face.a.depth,
+                       area > kNoArea ? float(scalar * inverse) : face.a.scalar),
+                 area);
 }
 
 // Depths as integers of the same order, without the last bit. They are within 1.8 of the mesh's centre: what is compared is positive.
-uint depthRank(float depth) { return floatBitsToUint(depth + 4.0) & ~ENTRY_BIT; }
+uint depthRank(real depth) { return floatBitsToUint(float(depth) + 4.0) & ~ENTRY_BIT; }
 
-vec2 meetFirst(Face face) { return meeting(face).there; }
+Place meetFirst(Face face) { return meeting(face).there; }
 
-// Places are rounded by some 2^-23, so twice an area by that times the distances of the corners. Where a face's area is
-// not larger, the ray may as well run in the face as through it, and where they meet cannot be told.
-const float kAlongRay = 1e-6;
+#ifdef REAL_IS_DOUBLE
+// The point nearest to the ray on the longest edge of a face that is seen edge-on: the face is a line there, and any of its points
+// above that place is on the ray.
+Place onLongestEdge(Face face) {
+  const real ab = dot(face.b.place - face.a.place, face.b.place - face.a.place);
+  const real bc = dot(face.c.place - face.b.place, face.c.place - face.b.place);
+  const real ca = dot(face.a.place - face.c.place, face.a.place - face.c.place);
+  Corner from = face.a;
+  Corner to = face.b;
+  if (bc > max(ab, ca)) {
+    from = face.b;
+    to = face.c;
+  } else if (ca > ab) {
+    from = face.c;
+    to = face.a;
+  }
+  const real2 edge = to.place - from.place;
+  const real share = clamp(-dot(from.place, edge) / max(dot(edge, edge), kNoArea), real(0.0), real(1.0));
+  return Place(mix(from.depth, to.depth, share), mix(from.scalar, to.scalar, float(share)));
+}
+#endif
 
-// Depth and scalar where the ray leaves a cell. It does not go back; for a face along the ray it stays where it entered, and the
-// cell behind gets the whole way.
-vec2 meetNext(Face face, vec2 entered) {
+// Where the ray leaves a cell. It does not go back. Places are rounded, so twice an area by that times the distances of the corners;
+// where a face's area is not larger, the ray may as well run in the face as through it, and its weights tell nothing. In single
+// precision it then stays where it entered, and the cell behind gets the whole way.
+Place meetNext(Face face, Place entered) {
   const Meeting m = meeting(face);
-  const vec2 spread = abs(face.a.place) + abs(face.b.place) + abs(face.c.place);
-  return m.area > kAlongRay * (spread.x + spread.y) && m.there.x > entered.x ? m.there : entered;
+  const real2 spread = abs(face.a.place) + abs(face.b.place) + abs(face.c.place);
+  const bool isThrough = m.area > kPlaceRounding * (spread.x + spread.y);
+  Place there = m.there;
+#ifdef REAL_IS_DOUBLE
+  if (!isThrough) there = onLongestEdge(face);
+  if (there.depth > entered.depth) return there;
+#else
+  if (isThrough && there.depth > entered.depth) return there;
+#endif
+  return entered;
 }
 
 // A face of a cell as one number: 4 cell + the index of the vertex that the face does not have.
@@ -128,12 +204,12 @@ uint cellFace(MeshAddresses mesh, uint cell, uint opposite) {
   return cell * 4u + (vertices.y == opposite ? 1u : vertices.z == opposite ? 2u : vertices.w == opposite ? 3u : 0u);
 }
 
-Face loadFace(MeshAddresses mesh, Ray ray, uint code) {
+Face loadFace(MeshAddresses mesh, VertexRestsAt restsAt, Ray ray, uint code) {
   const uvec4 vertices = loadCellVertices(mesh, code >> 2);
   const uint k = code & 3u;
-  const Corner a = loadCorner(mesh, ray, k == 0u ? vertices.y : vertices.x);
-  const Corner b = loadCorner(mesh, ray, k <= 1u ? vertices.z : vertices.y);
-  const Corner c = loadCorner(mesh, ray, k <= 2u ? vertices.w : vertices.z);
+  const Corner a = loadCorner(mesh, restsAt, ray, k == 0u ? vertices.y : vertices.x);
+  const Corner b = loadCorner(mesh, restsAt, ray, k <= 1u ? vertices.z : vertices.y);
+  const Corner c = loadCorner(mesh, restsAt, ray, k <= 2u ? vertices.w : vertices.z);
   Face face = Face(a, b, c);
   if (!isLeft(a, b)) face = Face(a, c, b);
   return face;
@@ -154,8 +230,8 @@ Behind behindFace(MeshAddresses mesh, uint code) {
 
 // Moves the face through a cell to where the ray leaves it, and the cell to the one behind. Returns the vertex of the cell that was
 // crossed which the face between the two does not have.
-uint crossCell(MeshAddresses mesh, AcrossAt acrossAt, Ray ray, inout Behind at, inout Face face) {
-  const Corner p = loadCorner(mesh, ray, at.vertex);
+uint crossCell(MeshAddresses mesh, VertexRestsAt restsAt, AcrossAt acrossAt, Ray ray, inout Behind at, inout Face face) {
+  const Corner p = loadCorner(mesh, restsAt, ray, at.vertex);
   const bool leftA = isLeft(p, face.a);
   const bool leftB = isLeft(p, face.b);
   const bool leftC = isLeft(p, face.c);

@@ -11,9 +11,11 @@ SHARED_BEGIN
 
 struct FrameView {
   vec4 viewFromMesh[3];  // row i: xyz the rotation's row, w the translation
+  vec4 viewFromMeshRest[3];  // what single precision leaves of it
   vec4 eyeMesh;          // xyz: eye in mesh space; w: its length
   vec2 halfSize;         // half the image's width and height, pixels
   float pixelsPerUnit;   // pixels per unit of x/z (perspective) or x (orthographic)
+  float pixelsPerUnitRest;
   uint keyBits;          // bits of the sort key, <= 24
   float keyLow;          // distance that gets the nearest key, relative to |eye| under perspective, mesh units
   float keyPerDistance;  // 1 / (distance of the farthest key - keyLow)

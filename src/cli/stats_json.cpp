@@ -96,6 +96,7 @@ nlohmann::ordered_json statsJson(const LoadedScene& loaded, const gpu::DeviceInf
                                         : nlohmann::ordered_json(nullptr);
   json["interpolation"] = render::interpolationName(last.interpolation);
   json["projection"] = render::projectionName(renderer.projection());
+  json["double_precision"] = last.doublePrecision;
   json["order"] = render::orderName(last.order.order);
   json["target"] = render::targetName(last.target);
   json["tolerance"] = toleranceJson(last.plan);

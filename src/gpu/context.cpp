@@ -165,6 +165,7 @@ void Context::createDevice() {
   queueInfo.pQueuePriorities = &priority;
   DeviceFeatures features;
   features.require();
+  features.take(info_);
   VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features.features};
   info.queueCreateInfoCount = 1;
   info.pQueueCreateInfos = &queueInfo;

@@ -68,6 +68,10 @@ void DeviceFeatures::require() {
   vulkan13.subgroupSizeControl = VK_TRUE;
 }
 
+void DeviceFeatures::take(const DeviceInfo& info) {
+  features.features.shaderFloat64 = info.hasFloat64 ? VK_TRUE : VK_FALSE;
+}
+
 std::string DeviceFeatures::missing(const DeviceFeatures& required) const {
   std::string names;
   const auto compare = [&](VkBool32 wanted, VkBool32 offered, const char* name) {
@@ -127,6 +131,7 @@ DeviceInfo describe(VkPhysicalDevice device, std::uint32_t index) {
   required.require();
   DeviceFeatures offered;
   vkGetPhysicalDeviceFeatures2(device, &offered.features);
+  info.hasFloat64 = offered.features.features.shaderFloat64 == VK_TRUE;
   info.missing = offered.missing(required);
   if (const std::string extensions = missingExtensions(device); !extensions.empty())
     info.missing += (info.missing.empty() ? "" : ", ") + extensions;

@@ -22,7 +22,8 @@ struct DeviceInfo {
   std::uint64_t largestTexelBuffer = 0;        // elements, maxTexelBufferElements
   std::uint32_t largestImageSide = 0;          // pixels
   std::uint32_t subgroupSize = 0;
-  std::string missing;  // what it lacks for tetralux, or empty when it can be used
+  bool hasFloat64 = false;  // double precision in shaders
+  std::string missing;      // what it lacks for tetralux, or empty when it can be used
 };
 
 // What a device must offer: the one list of it.
@@ -38,6 +39,8 @@ struct DeviceFeatures {
 
   // Switches on what tetralux needs.
   void require();
+  // Switches on what it takes where a device has it.
+  void take(const DeviceInfo& info);
   // Names of what `required` switches on and this one lacks, separated by ", ".
   std::string missing(const DeviceFeatures& required) const;
 };

@@ -4,10 +4,14 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "base/two_floats.h"
 #include "shared/clipped_cells.h"
 
 namespace tetralux::render {
 namespace {
+
+// Nearer than this to the eye, mesh units, cells are few and pixels may be as small as they like.
+constexpr double kNearestLooked = 0.02;
 
 struct Range {
   double low = std::numeric_limits<double>::infinity();
@@ -53,11 +57,15 @@ FrameSetup makeFrameSetup(const Camera& camera, ImageSize size, const MeshSpace&
   const double pixelsPerUnit = camera.pixelsPerUnit(size) * (setup.perspective ? 1.0 : space.scale);
 
   shared::FrameView& view = setup.view;
-  for (int row = 0; row < 3; row++)
-    view.viewFromMesh[row] = glm::vec4(rotation[0][row], rotation[1][row], rotation[2][row], translation[row]);
+  for (int row = 0; row < 3; row++) {
+    const glm::dvec4 exact(rotation[0][row], rotation[1][row], rotation[2][row], translation[row]);
+    view.viewFromMesh[row] = glm::vec4(exact);
+    for (int column = 0; column < 4; column++) view.viewFromMeshRest[row][column] = restOfFloat(exact[column]);
+  }
   view.eyeMesh = glm::vec4(eye, glm::length(eye));
   view.halfSize = 0.5f * glm::vec2(size.width, size.height);
   view.pixelsPerUnit = static_cast<float>(pixelsPerUnit);
+  view.pixelsPerUnitRest = restOfFloat(pixelsPerUnit);
   view.keyBits = keyBits;
   view.cellCount = cellCount;
   view.supportCount = supportCount;
@@ -65,6 +73,8 @@ FrameSetup makeFrameSetup(const Camera& camera, ImageSize size, const MeshSpace&
   const Range depth =
       overCorners(space, [&](const glm::dvec3& p) { return glm::dot(glm::transpose(rotation)[2], p) + translation.z; });
   const Range distance = setup.perspective ? distanceRange(space, eye) : depth;
+  const double nearest = std::max(distance.low + glm::length(eye), kNearestLooked);
+  setup.smallestPixel = (setup.perspective ? nearest : 1.0) / pixelsPerUnit;
   view.keyLow = static_cast<float>(distance.low);
   view.keyPerDistance = static_cast<float>(1.0 / std::max(distance.high - distance.low, 1e-30));
   // The shaders' criterion for cells, taken for the whole box and with a margin for rounding.

@@ -11,6 +11,7 @@ namespace tetralux::render {
 struct FrameSetup {
   shared::FrameView view;
   shared::ScreenScale screen;
+  double smallestPixel = 0.0;  // side of a pixel where the mesh is nearest to the eye, mesh units
   bool perspective = true;
   // Cells may reach or come close to the eye's plane: the shaders' near-cell path is needed.
   bool nearCells = false;

@@ -18,7 +18,7 @@ gpu::Buffer makeVertexBuffer(const gpu::Context& context, const TetMesh& mesh, c
   const bool hasScalar = field.association == FieldAssociation::Point;
   parallelFor(vertices.size(), kGrain, [&](size_t begin, size_t end, unsigned) {
     for (size_t i = begin; i < end; i++)
-      vertices[i] = glm::vec4(space.position(mesh.point(i)), hasScalar ? space.scalar(field.values[i]) : 0.0f);
+      vertices[i] = glm::vec4(space.roundedPosition(mesh.point(i)), hasScalar ? space.scalar(field.values[i]) : 0.0f);
   });
   return gpu::makeBuffer(context, vertices, "mesh vertices");
 }

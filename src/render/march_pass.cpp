@@ -21,6 +21,7 @@ struct BinPush {
 
 struct EnterPush {
   MeshAddresses mesh;
+  VkDeviceAddress vertexRests;
   VkDeviceAddress boundary;
   shared::PixelBand band;
   std::uint32_t jobCapacity;
@@ -28,6 +29,7 @@ struct EnterPush {
 
 struct WalkPush {
   MeshAddresses mesh;
+  VkDeviceAddress vertexRests;
   VkDeviceAddress across;
   shared::PixelBand band;
 };
@@ -43,10 +45,17 @@ MarchPass::MarchPass(const gpu::Context& context)
       showVertex_(loadShader(context, "apart/blend.vert")),
       showFragment_(loadShader(context, "march/show.frag")),
       bin_(context, "march/bin.comp"),
-      enter_(context, "march/enter.comp"),
-      arrange_(context, "march/arrange.comp"),
-      seek_(context, "march/seek.comp"),
-      march_(context, "march/march.comp") {}
+      arrange_(context, "march/arrange.comp") {
+  single_.emplace(context, "");
+  if (context.info().hasFloat64) double_.emplace(context, "_precise");
+}
+
+MarchPass::Walk::Walk(const gpu::Context& context, const std::string& suffix)
+    : enter(context, "march/enter" + suffix + ".comp"),
+      seek(context, "march/seek" + suffix + ".comp"),
+      march(context, "march/march" + suffix + ".comp") {}
+
+MarchPass::Walk& MarchPass::walk(const FrameVariant& variant) { return variant.doublePrecision ? *double_ : *single_; }
 
 void MarchPass::recordEnter(gpu::CommandBuffer& commands, const FrameVariant& variant, const GpuMesh& mesh,
                             const MarchStorage& storage, const shared::PixelBand& band) {
@@ -60,12 +69,12 @@ void MarchPass::recordEnter(gpu::CommandBuffer& commands, const FrameVariant& va
                      storage.jobs(), storage.tileMarks(), storage.walkTiles(), storage.counts()},
                     binPush, topology.boundaryCount());
   commands.barrier(kComputeWrite, kComputeReadWrite | kIndirectRead);
-  const EnterPush enterPush{mesh.addresses(), topology.boundaryAddress(), band, storage.jobCapacity()};
+  const EnterPush enterPush{mesh.addresses(), storage.vertexRestAddress(), topology.boundaryAddress(), band, storage.jobCapacity()};
   commands.dispatchIndirect(
-      enter_.get(variant.specConstants()),
+      walk(variant).enter.get(variant.specConstants()),
       {storage.view(), mesh.cells(), mesh.vertices(), mesh.cellScalars(), topology.boundary(), topology.across(),
        storage.heads(), storage.links(), storage.ranks(), storage.jobsView(), storage.tileMarks(), storage.walkTiles(),
-       storage.sortTiles(), storage.counts()},
+       storage.sortTiles(), storage.counts(), storage.vertexRests()},
       enterPush, storage.counts(), kJobGroups);
   commands.barrier(kComputeWrite, kComputeReadWrite | kIndirectRead);
   commands.dispatchIndirect(arrange_.get({{SPEC_NEAR_CELLS, variant.nearCells}}),
@@ -77,11 +86,11 @@ void MarchPass::recordEnter(gpu::CommandBuffer& commands, const FrameVariant& va
 
 void MarchPass::recordSeek(gpu::CommandBuffer& commands, const FrameVariant& variant, const GpuMesh& mesh,
                            const MarchStorage& storage, const shared::PixelBand& band) {
-  const WalkPush push{mesh.addresses(), storage.topology().acrossAddress(), band};
-  commands.dispatchIndirect(seek_.get(variant.specConstants()),
+  const WalkPush push{mesh.addresses(), storage.vertexRestAddress(), storage.topology().acrossAddress(), band};
+  commands.dispatchIndirect(walk(variant).seek.get(variant.specConstants()),
                             {storage.view(), mesh.cells(), mesh.vertices(), mesh.cellScalars(),
                              storage.topology().across(), storage.heads(), storage.links(), storage.ranks(),
-                             storage.counts(), storage.walkTiles()},
+                             storage.counts(), storage.walkTiles(), storage.vertexRests()},
                             push, storage.counts(), kWalkTiles);
   commands.barrier(kComputeReadWrite, kComputeReadWrite | kTransferWrite);
 }
@@ -89,16 +98,16 @@ void MarchPass::recordSeek(gpu::CommandBuffer& commands, const FrameVariant& var
 void MarchPass::recordMarch(gpu::CommandBuffer& commands, const FrameVariant& variant, const GpuMesh& mesh,
                             const TransferBuffer& transfer, const IntegrationTables& tables,
                             const MarchStorage& storage, const shared::PixelBand& band) {
-  const WalkPush push{mesh.addresses(), storage.topology().acrossAddress(), band};
+  const WalkPush push{mesh.addresses(), storage.vertexRestAddress(), storage.topology().acrossAddress(), band};
   gpu::SpecConstants constants = variant.specConstants();
   constants.push_back({SPEC_EMISSION_PER_LENGTH, variant.emissionPerLength});
   for (const gpu::SpecConstant& constant : variant.integration.specConstants()) constants.push_back(constant);
   commands.dispatchIndirect(
-      march_.get(constants),
+      walk(variant).march.get(constants),
       {storage.view(), mesh.cells(), mesh.vertices(), mesh.cellScalars(), storage.topology().across(),
        transfer.pieces(), transfer.pieceBins(), storage.heads(), storage.links(), storage.ranks(), storage.colors(),
        storage.counts(), tables.numbers(), tables.table2d(), tables.table3d(), transfer.points(),
-       transfer.pointScalars(), storage.walkTiles()},
+       transfer.pointScalars(), storage.walkTiles(), storage.vertexRests()},
       push, storage.counts(), kWalkTiles);
   commands.barrier(kComputeReadWrite, kComputeReadWrite | kTransferWrite | kVertexRead);
 }

@@ -5,6 +5,10 @@
 // by itself (the mesh is cut where it is folded, mesh/cut_folds.h), and rays change between layers from segment to segment.
 #pragma once
 
+#include <map>
+#include <optional>
+#include <string>
+
 #include "gpu/commands.h"
 #include "render/frame_view.h"
 #include "render/gpu_mesh.h"
@@ -39,16 +43,24 @@ class MarchPass {
                   const gpu::AttachmentImage& target, bool clear);
 
  private:
+  // What follows rays, in single or in double precision.
+  struct Walk {
+    Walk(const gpu::Context& context, const std::string& suffix);
+    ComputeVariants enter;
+    ComputeVariants seek;
+    ComputeVariants march;
+  };
+
+  Walk& walk(const FrameVariant& variant);
   const gpu::GraphicsPipeline& showPipeline(VkFormat format);
 
   const gpu::Context& context_;
   gpu::Shader showVertex_;
   gpu::Shader showFragment_;
   ComputeVariants bin_;
-  ComputeVariants enter_;
   ComputeVariants arrange_;
-  ComputeVariants seek_;
-  ComputeVariants march_;
+  std::optional<Walk> single_;
+  std::optional<Walk> double_;  // where the device can
   std::map<VkFormat, gpu::GraphicsPipeline> show_;
 };
 

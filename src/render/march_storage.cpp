@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <glm/vec4.hpp>
+#include <vector>
+
+#include "base/parallel.h"
 
 namespace tetralux::render {
 namespace {
@@ -9,6 +13,7 @@ namespace {
 using gpu::MemoryKind;
 using shared::MarchCounts;
 
+constexpr size_t kGrain = 1 << 16;
 constexpr std::uint32_t kFewestJobs = 1u << 14;
 constexpr std::uint32_t kFewestNodes = 1u << 16;
 // Buffers of up to 64 MiB, which every device's descriptors reach.
@@ -23,11 +28,23 @@ std::uint32_t enlarged(std::uint32_t capacity, std::uint32_t wanted, bool isLast
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(more, isLastResort ? 0xfffffffeu : kMost));
 }
 
+std::vector<glm::vec4> listRests(const TetMesh& mesh, const MeshSpace& space, bool isWanted) {
+  std::vector<glm::vec4> rests(isWanted ? mesh.pointCount() : 1, glm::vec4(0.0f));
+  if (!isWanted) return rests;
+  parallelFor(rests.size(), kGrain, [&](size_t begin, size_t end, unsigned) {
+    for (size_t i = begin; i < end; i++) rests[i] = glm::vec4(space.positionRest(mesh.point(i)), 0.0f);
+  });
+  return rests;
+}
+
 }  // namespace
 
-MarchStorage::MarchStorage(const gpu::Context& context, const TetMesh& mesh, const Adjacency& adjacency)
+MarchStorage::MarchStorage(const gpu::Context& context, const TetMesh& mesh, const MeshSpace& space,
+                           const Adjacency& adjacency)
     : context_(context),
       topology_(context, mesh, adjacency),
+      restBuffer_(gpu::makeBuffer(context, listRests(mesh, space, context.info().hasFloat64), "vertex rests")),
+      restView_(context, restBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT),
       view_(context, sizeof(shared::FrameView), MemoryKind::Device, "frame view"),
       counts_(context, sizeof(MarchCounts), MemoryKind::Device, "march counts") {}
 
@@ -94,7 +111,7 @@ bool MarchStorage::grow(const MarchCounts& counts) {
 }
 
 std::uint64_t MarchStorage::sizeBytes() const {
-  std::uint64_t bytes = topology_.sizeBytes() + view_.sizeBytes() + counts_.sizeBytes();
+  std::uint64_t bytes = topology_.sizeBytes() + restBuffer_.sizeBytes() + view_.sizeBytes() + counts_.sizeBytes();
   for (const gpu::Buffer* buffer :
        {&jobs_, &tileMarks_, &walkTiles_, &sortTiles_, &heads_, &links_, &ranks_, &colors_})
     bytes += buffer->sizeBytes();

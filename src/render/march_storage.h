@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "gpu/commands.h"
+#include "render/mesh_space.h"
 #include "render/walk_topology.h"
 #include "shared/frame_view.h"
 #include "shared/march.h"
@@ -17,7 +18,7 @@ namespace tetralux::render {
 class MarchStorage {
  public:
   //   adjacency   without folds (mesh/cut_folds.h); neither it nor the mesh need outlive the call
-  MarchStorage(const gpu::Context& context, const TetMesh& mesh, const Adjacency& adjacency);
+  MarchStorage(const gpu::Context& context, const TetMesh& mesh, const MeshSpace& space, const Adjacency& adjacency);
 
   // Room for a picture; nothing when there is enough already. Throws Error(Device).
   void prepare(ImageSize size);
@@ -36,6 +37,9 @@ class MarchStorage {
 
   ImageSize size() const { return size_; }
   const WalkTopology& topology() const { return topology_; }
+  // What single precision leaves of the vertices' positions, vec4 each; one of zeros where the device has no double precision.
+  const gpu::TexelView& vertexRests() const { return restView_; }
+  VkDeviceAddress vertexRestAddress() const { return restBuffer_.address(); }
   const gpu::Buffer& view() const { return view_; }      // FrameView
   const gpu::Buffer& counts() const { return counts_; }  // MarchCounts
   std::uint32_t jobCapacity() const { return jobCapacity_; }
@@ -57,6 +61,8 @@ class MarchStorage {
 
   const gpu::Context& context_;
   WalkTopology topology_;
+  gpu::Buffer restBuffer_;
+  gpu::TexelView restView_;
   gpu::Buffer view_;
   gpu::Buffer counts_;
   ImageSize size_{0, 0};  // of the picture that there is room for

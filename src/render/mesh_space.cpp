@@ -3,7 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/two_floats.h"
+
 namespace tetralux::render {
+
+glm::vec3 MeshSpace::roundedPosition(const glm::dvec3& world) const { return glm::vec3(position(world)); }
+
+glm::vec3 MeshSpace::positionRest(const glm::dvec3& world) const {
+  const glm::dvec3 exact = position(world);
+  return {restOfFloat(exact.x), restOfFloat(exact.y), restOfFloat(exact.z)};
+}
 
 float MeshSpace::scalar(double s) const {
   // Control points of a transfer function may lie anywhere; the shaders expect finite numbers.

@@ -19,6 +19,9 @@ struct MeshSpace {
   glm::dvec3 high{1.0};
 
   glm::dvec3 position(const glm::dvec3& world) const { return (world - center) / scale; }
+  // The same as the device has it, and what that leaves of it.
+  glm::vec3 roundedPosition(const glm::dvec3& world) const;
+  glm::vec3 positionRest(const glm::dvec3& world) const;
   float scalar(double s) const;
 };
 

@@ -21,6 +21,7 @@ struct FrameVariant {
   bool silhouette = false;
   bool gator = false;
   bool emissionPerLength = false;
+  bool doublePrecision = false;    // of rays that walk; not in specConstants(): shaders of their own
   std::uint32_t output = 0;        // shared/target_output.h
   IntegrationVariant integration;  // of the shaders that draw segments; not in specConstants()
 

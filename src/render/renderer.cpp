@@ -9,6 +9,7 @@
 #include "mesh/cut_folds.h"
 #include "mesh/overlaps.h"
 #include "render/order/make_order.h"
+#include "render/precision.h"
 #include "render/rounding_probe.h"
 #include "shared/target_output.h"
 
@@ -38,6 +39,7 @@ Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const Scala
       wideAddressing_(options.forceWideAddressing || needsWideAddressing(context.info(), mesh_)),
       checkOrder_(options.checkOrder),
       tolerance_(options.tolerance),
+      doublePrecision_(options.doublePrecision),
       projection_{options.projection, "asked for", 0.0},
       target_(context) {
   if (options.projection == CellProjection::Auto)
@@ -46,7 +48,7 @@ Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const Scala
     marchPass_ = std::make_unique<MarchPass>(context);
     Adjacency adjacency = makeAdjacency(mesh);
     cutFolds(mesh, adjacency);
-    marchStorage_ = std::make_unique<MarchStorage>(context, mesh, adjacency);
+    marchStorage_ = std::make_unique<MarchStorage>(context, mesh, mesh_.space(), adjacency);
     return;
   }
   passes_ = std::make_unique<FramePasses>(context);
@@ -124,14 +126,22 @@ OrderReport Renderer::drawInto(gpu::Recorder& recorder, const Camera& camera, Im
   variant.silhouette = projection() == CellProjection::Silhouette;
   variant.gator = projection() == CellProjection::Gator;
   variant.emissionPerLength = transfer_->emission() == Emission::PerLength;
+  variant.doublePrecision = usesDoublePrecision(setup);
   variant.integration = integration;
   variant.output = output;
   const FrameInputs inputs{context_, mesh_, *transfer_, *tables_, setup, variant, size, checkOrder};
   if (!marchPass_) return drawFrame(recorder, inputs, *passes_, *order_, *storage_, target);
   marchFrame(recorder, inputs, *marchPass_, *marchStorage_, target.picture);
+  lastDoublePrecision_ = variant.doublePrecision;
   OrderReport report;
   report.order = Order::Exact;
   return report;
+}
+
+bool Renderer::usesDoublePrecision(const FrameSetup& setup) const {
+  if (!marchPass_ || !context_.info().hasFloat64) return false;
+  return doublePrecision_.value_or(isTooDenseForSingle(static_cast<double>(transfer_->largest()), tolerance_) ||
+                                   isTooFineForSingle(setup.smallestPixel));
 }
 
 Target Renderer::chooseTarget(const Camera& camera, ImageSize size, const IntegrationVariant& integration,
@@ -183,6 +193,7 @@ FrameStats Renderer::draw(const Camera& camera, ImageSize size, const RenderOpti
   gpu::Recorder recorder(context_, timing);
   stats.order = drawInto(recorder, camera, size, integration, output, target, checkOrder_);
 
+  stats.doublePrecision = lastDoublePrecision_;
   shared::FrameCounters counters{};
   if (storage_) gpu::download(context_, storage_->counters, &counters, sizeof counters);
   stats.drawnCells = counters.drawn;

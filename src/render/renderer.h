@@ -33,6 +33,8 @@ struct RendererOptions {
   // is needed; forced for tests.
   bool forceWideAddressing = false;
   std::optional<SortVariant> sortVariant;  // nothing: the best for the device
+  // Of rays that walk, where the device has it. Nothing: where single precision may show (precision.h); else for tests.
+  std::optional<bool> doublePrecision;
   CellProjection projection = CellProjection::Pt;
   Order order =
       Order::Auto;      // CellProjection::March needs none and is always right; with Auto, any other keeps cells drawn
@@ -56,6 +58,7 @@ struct FrameStats {
   std::vector<gpu::PassTime> passes;  // when timed
   Target target = Target::Rgba32f;    // what was drawn into; never Auto
   CellProjection projection = CellProjection::Pt;
+  bool doublePrecision = false;  // rays walked in it
   OrderReport order;
   Integration integration = Integration::Exact;
   Interpolation interpolation = Interpolation::Perspective;
@@ -99,6 +102,7 @@ class Renderer {
   // Throws Error(Usage) for a method that cannot carry the transfer function's emission or does not go with the
   // projection.
   void checkMethod(const RenderOptions& options) const;
+  bool usesDoublePrecision(const FrameSetup& setup) const;
   void preparePlan();
   void prepareTables(Integration integration, const TableOptions& options);
   OrderReport drawInto(gpu::Recorder& recorder, const Camera& camera, ImageSize size,
@@ -114,7 +118,9 @@ class Renderer {
   bool wideAddressing_;
   bool checkOrder_;
   std::optional<double> tolerance_;
+  std::optional<bool> doublePrecision_;
   ProjectionChoice projection_;
+  bool lastDoublePrecision_ = false;  // of the last frame
   std::optional<TolerancePlan> plan_;  // for transfer_
   double luminance_ = 0.0;             // largest of transfer_ over the field's range
   // Of projected cells:

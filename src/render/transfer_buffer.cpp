@@ -146,6 +146,7 @@ TransferBuffer::TransferBuffer(const gpu::Context& context, const TransferFuncti
 
 TransferBuffer::TransferBuffer(const gpu::Context& context, const TransferTables& tables, Emission emission)
     : emission_(emission),
+      largest_(*std::max_element(tables.largestExtinction.begin(), tables.largestExtinction.end())),
       supportCount_(static_cast<std::uint32_t>(tables.support.size())),
       pieceTexels_(tables.pieces),
       pieceBuffer_(gpu::makeBuffer(context, tables.pieces, "transfer pieces")),

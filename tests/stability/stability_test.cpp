@@ -27,15 +27,11 @@ struct KnownMiss {
   const char* method;
 };
 constexpr KnownMiss kKnownMisses[] = {
-    {"degenerate parallel", "projection pt"},     {"degenerate parallel", "projection silhouette"},
-    {"degenerate parallel", "projection gator"},  {"slivers 1e-5", "default"},
-    {"slivers 1e-5", "projection pt"},            {"slivers 1e-5", "projection silhouette"},
-    {"slivers 1e-5", "projection gator"},         {"slivers 1e-5", "projection march"},
-    {"slivers 1e-7", "default"},                  {"slivers 1e-7", "projection pt"},
-    {"slivers 1e-7", "projection silhouette"},    {"slivers 1e-7", "projection gator"},
-    {"slivers 1e-7", "projection march"},         {"edge-on slivers 1e-5", "default"},
-    {"edge-on slivers 1e-5", "projection march"}, {"edge-on slivers 1e-7", "default"},
-    {"edge-on slivers 1e-7", "projection march"}};
+    {"degenerate parallel", "projection pt"},    {"degenerate parallel", "projection silhouette"},
+    {"degenerate parallel", "projection gator"}, {"slivers 1e-5", "projection pt"},
+    {"slivers 1e-5", "projection silhouette"},   {"slivers 1e-5", "projection gator"},
+    {"slivers 1e-7", "projection pt"},           {"slivers 1e-7", "projection silhouette"},
+    {"slivers 1e-7", "projection gator"}};
 
 bool isKnownMiss(const Outcome& o) {
   return std::any_of(std::begin(kKnownMisses), std::end(kKnownMisses),

@@ -1,0 +1,185 @@
+// Rays walk through the mesh from the front and gather light.
+//
+// One invocation per pixel; its list holds the faces where its ray enters the mesh, near ones first. A walk ends where the ray
+// leaves the mesh, or where nothing behind can be seen any more. Where layers of the mesh overlap, it is also left where the middle of
+// its next segment lies behind the next entry in the list, and waits there with that middle as its rank: so segments are composited in
+// the order of their middles. (An entry lies before its segment's middle; found to be too near, it goes back into the list itself.) After kRounds rounds the face at which the ray stands takes
+// the place of its entry, the pixel is counted, and another dispatch goes on.
+//
+// With exact integration, a round of the loop is one part of a cell's segment (include/integration/exact.glsl), most cells have
+// one: a loop over parts within a loop over cells would keep all lanes of a subgroup waiting for the one with most parts. With
+// another method a round is a cell.
+//
+// Included by march/march.comp in single, by march/march_precise.comp in double precision (include/real.glsl).
+#include "shared/clipped_cells.h"
+#include "shared/frame_view.h"
+#include "shared/limits.h"
+#include "shared/march.h"
+#include "shared/pixel_lists.h"
+#include "shared/spec_ids.h"
+#include "shared/visibility.h"
+
+layout(local_size_x = MARCH_WORKGROUP) in;
+
+#define MESH_CELLS 1
+#define MESH_VERTICES 2
+#define MESH_CELL_SCALARS 3
+#define TOPOLOGY_ACROSS 4
+#define MESH_VERTEX_RESTS 18
+#define MARCH_TILES 17
+#define TRANSFER_PIECES 5
+#define TRANSFER_PIECE_BINS 6
+#define INTEGRATION_NUMBERS 12
+#define INTEGRATION_TABLE_2D 13
+#define INTEGRATION_TABLE_3D 14
+#define TRANSFER_POINTS 15
+#define TRANSFER_POINT_SCALARS 16
+#include "include/dispatch.glsl"
+#include "include/integrate.glsl"
+#include "include/integration/ray_parts.glsl"
+#include "include/march_pixel.glsl"
+#include "include/mesh_access.glsl"
+#include "include/real.glsl"
+#include "include/view_space.glsl"
+#include "include/ray_walk.glsl"
+
+layout(binding = 0, scalar) uniform FrameViewBlock { FrameView view; };
+#define PIXEL_HEADS 7
+#define PIXEL_LINKS 8
+#define PIXEL_RANKS 9
+#include "include/pixel_lists.glsl"
+layout(binding = 10, scalar) buffer Colors { vec4 colors[]; };
+layout(binding = 11, scalar) buffer Counts { MarchCounts counts; };
+
+layout(push_constant, scalar) uniform Push {
+  MeshAddresses mesh;
+  VertexRestsAt restsAt;
+  AcrossAt acrossAt;
+  PixelBand band;
+};
+
+// Scalar and optics are carried from cell to cell. A field of one scalar per cell jumps there.
+const bool kIsCarried = kIntegration == INTEGRATION_EXACT && !kCellField;
+
+const uint kRounds = kIntegration == INTEGRATION_EXACT ? MARCH_ROUNDS : MARCH_CELLS;
+
+struct Segment {
+  float front, back;  // scalars
+  float thickness;    // mesh units
+  uint rank;          // of its middle, among all segments on the ray
+};
+
+// The segment between two faces; what lies behind the eye is cut off.
+Segment cellSegment(Ray ray, uint cell, Place enter, Place leave) {
+  Segment segment = Segment(enter.scalar, leave.scalar, float(leave.depth - enter.depth), 0u);
+  if (kCellField) segment.front = segment.back = loadCellScalar(mesh, cell);
+  if (kNearCells) {
+    const float hidden = clamp(float(ray.eyeDepth - enter.depth) / max(segment.thickness, 1e-30), 0.0, 1.0);
+    segment.front = mix(segment.front, segment.back, hidden);
+    segment.thickness *= 1.0 - hidden;
+  }
+  segment.rank = depthRank(leave.depth - 0.5 * segment.thickness) | ENTRY_BIT;
+  segment.thickness *= ray.lengthPerDepth;
+  return segment;
+}
+
+// Composites the next part of a cell's segment, or all of it. Returns whether the segment is through.
+bool gather(inout PartWalk parts, inout vec3 light, inout float opacity, inout float clearness) {
+  if (kIntegration == INTEGRATION_EXACT) return walkPart(parts, light, opacity, clearness);
+  const vec4 color = integrateSegment(parts.front, parts.back, parts.thickness);
+  const float transmittance = kEmissionPerLength ? clearness : 1.0 - opacity;
+  light += transmittance * color.rgb;
+  clearness *= 1.0 - color.a;
+  opacity += (1.0 - opacity) * color.a;
+  return true;
+}
+
+// Rank of the next face in a list; none: beyond all.
+uint rankOf(uint node) { return node == NO_NODE ? 0xffffffffu : pixelRanks[node].x; }
+
+// Takes the first node out of a list and puts it back where its rank belongs. Returns the new first node.
+uint putBack(uint node) {
+  const uint rank = pixelRanks[node].x;
+  const uint head = pixelLinks[node];
+  uint last = head;
+  for (uint i = 0; i < kLongestList; i++) {
+    const uint next = pixelLinks[last];
+    if (rankOf(next) >= rank) break;
+    last = next;
+  }
+  pixelLinks[node] = pixelLinks[last];
+  pixelLinks[last] = node;
+  return head;
+}
+
+void main() {
+  const uvec2 place = tilePixel(band);
+  if (place.x >= band.width || place.y >= band.rowCount) return;
+  const uint pixel = place.y * band.width + place.x;
+  uint node = pixelHeads[pixel];
+  if (node == NO_NODE) return;
+  const Ray ray = pixelRay(view, uvec2(place.x, band.firstRow + place.y));
+  vec4 color = colors[pixel];
+  float clearness = 1.0;
+  if (kEmissionPerLength) {
+    if (color.a < 0.0) clearness = -color.a;
+    color.a = 1.0 - clearness;
+  }
+  uint rounds = 0;
+  for (uint walk = 0; walk < kRounds; walk++) {
+    const uint code = pixelRanks[node].y;
+    const uint nextRank = rankOf(pixelLinks[node]);
+    Face face = loadFace(mesh, restsAt, ray, code);
+    Behind next = behindFace(mesh, code);
+    Behind at = next;
+    Place enter = meetFirst(face);
+
+    crossCell(mesh, restsAt, acrossAt, ray, next, face);
+    Place leave = meetNext(face, enter);
+    Segment segment = cellSegment(ray, at.cell, enter, leave);
+    RayParts carried;
+    PartWalk parts;
+    if (kIsCarried)
+      carried = beginRay(segment.front, segment.back, segment.thickness);
+    else
+      parts = beginParts(segment.front, segment.back, segment.thickness);
+    bool isThrough = false;
+    bool isOvertaken = segment.rank > nextRank;
+    for (uint round = 0; round < MARCH_LAST_ROUND; round++) {
+      if (isOvertaken) break;
+      const bool isLast = kIsCarried ? walkRayPart(carried, color.rgb, color.a, clearness)
+                                     : gather(parts, color.rgb, color.a, clearness);
+      rounds++;
+      isThrough = (isLast && next.cell == NO_CELL) || isWalkOpaque(color.a, clearness);
+      if (isThrough || (isLast && rounds >= kRounds)) break;
+      if (isLast) {
+        at = next;
+        enter = leave;
+        crossCell(mesh, restsAt, acrossAt, ray, next, face);
+        leave = meetNext(face, enter);
+        segment = cellSegment(ray, at.cell, enter, leave);
+        isOvertaken = segment.rank > nextRank;
+        if (kIsCarried) {
+          carried.back = segment.back;
+          carried.thickness = segment.thickness;
+        } else {
+          parts = beginParts(segment.front, segment.back, segment.thickness);
+        }
+      }
+    }
+    if (isThrough) {
+      node = isWalkOpaque(color.a, clearness) ? NO_NODE : pixelLinks[node];
+    } else if (isOvertaken) {
+      // Layers overlap: a segment of another one comes first.
+      pixelRanks[node] = uvec2(segment.rank, cellFace(mesh, at.cell, at.vertex));
+      node = putBack(node);
+    } else {
+      pixelRanks[node].y = cellFace(mesh, next.cell, next.vertex);
+    }
+    if (node == NO_NODE || rounds >= kRounds) break;
+  }
+  if (kEmissionPerLength && node != NO_NODE) color.a = -clearness;  // kept with all its digits for the next dispatch
+  colors[pixel] = color;
+  pixelHeads[pixel] = node;
+  if (node != NO_NODE) atomicAdd(counts.unfinished, 1u);
+}
