@@ -6,6 +6,7 @@
 
 layout(constant_id = SPEC_PERSPECTIVE) const bool kPerspective = true;
 layout(constant_id = SPEC_SILHOUETTE) const bool kSilhouette = false;  // all cells are clipped
+layout(constant_id = SPEC_SUBPIXELS) const uint kSubpixels = 0;  // see include/fan_vertex.glsl
 layout(constant_id = SPEC_INTERPOLATION) const uint kInterpolation = INTERPOLATION_PERSPECTIVE;
 
 // Of clipped cells (include/project_cell.glsl): FAN_VERTICES per slot.
@@ -20,11 +21,19 @@ vec4 cellPlane(int slot, int i) { return texelFetch(cellPlanes, slot * int(FAN_V
 // What include/project_cell.glsl gives a vertex. Under INTERPOLATION_SCREEN: depth and scalar of the front end, length of the segment,
 // scalar of the back end. Under INTEGRATION_VERTEX: what classifyVertex() returns.
 layout(location = 0) in vec4 fanEnds;
-// Of the fan's centre: q of its front end, and the largest q difference; in the two other cases depth and length.
-layout(location = 1) flat in vec2 thickEnds;
-layout(location = 2) flat in int fanCell;     // slot in the batch, doubled; odd for a cell that is clipped
+// Of the fan's centre: xy q of its front end, and the largest q difference; in the two other cases depth and length. z the cell's slot
+// in the batch, doubled; odd for a cell that is clipped. One vector, because software devices pay for each with every triangle.
+layout(location = 1) flat in vec3 fanCentre;
+// Where kSubpixels > 0: how far the rasteriser's triangle lies beside the fan's, pixels.
+layout(location = 2) in vec2 fanShift;
+
+int fanSlot() { return int(fanCentre.z) >> 1; }
+bool isClippedFan() { return (int(fanCentre.z) & 1) != 0; }
 
 #include "include/integrate.glsl"
+
+// Of a snapped triangle's area as a part of its own: below this it does not tell where a place was.
+const float kLeastSnappedArea = 0.25;
 
 struct Segment {
   float scalarFront;
@@ -35,6 +44,16 @@ struct Segment {
 
 // Length along a ray per depth.
 float rayLengthPerDepth(vec2 screen) { return kPerspective ? sqrt(1.0 + dot(screen, screen)) : 1.0; }
+
+// fanEnds at the pixel's centre. What is interpolated there belongs to a place fanShift away on the fan's own triangle; both triangles
+// are affine images of each other, so a step on one is that times I - d fanShift on the other.
+vec4 endsAtCentre() {
+  if (kSubpixels == 0u) return fanEnds;
+  const mat2 own = mat2(1.0) - mat2(dFdx(fanShift), dFdy(fanShift));
+  // A triangle that snapping turns over, or nearly so, is no image of its own.
+  const vec2 shift = determinant(own) > kLeastSnappedArea ? inverse(own) * fanShift : fanShift;
+  return fanEnds + dFdx(fanEnds) * shift.x + dFdy(fanEnds) * shift.y;
+}
 
 // From the fan's vertices: both ends by division through the interpolated 1/depth, and the thickness from the
 // interpolated difference, 1/q_b - 1/q_f = (q_f - q_b) / (q_f q_b).
@@ -47,15 +66,16 @@ float rayLengthPerDepth(vec2 screen) { return kPerspective ? sqrt(1.0 + dot(scre
 Segment fanSegment(vec2 screen) {
   const float perLength = 1.0 / rayLengthPerDepth(screen);
   // The fan's vertices have been classified: only the cell's place along the ray is left.
-  if (kIntegration == INTEGRATION_VERTEX) return Segment(0.0, 0.0, thickEnds.x, thickEnds.y * perLength);
+  if (kIntegration == INTEGRATION_VERTEX) return Segment(0.0, 0.0, fanCentre.x, fanCentre.y * perLength);
+  const vec4 ends = endsAtCentre();
   if (kInterpolation == INTERPOLATION_SCREEN)
-    return Segment(fanEnds.y, fanEnds.w, fanEnds.x, clamp(fanEnds.z, 0.0, thickEnds.y) * perLength);
-  const float dq = clamp(fanEnds.z, 0.0, thickEnds.y);
-  if (!kPerspective) return Segment(fanEnds.y, fanEnds.w, -fanEnds.x, dq);
-  const float qFront = clamp(fanEnds.x, thickEnds.x * NEAR_DEPTH_RATIO, thickEnds.x / NEAR_DEPTH_RATIO);
+    return Segment(ends.y, ends.w, ends.x, clamp(ends.z, 0.0, fanCentre.y) * perLength);
+  const float dq = clamp(ends.z, 0.0, fanCentre.y);
+  if (!kPerspective) return Segment(ends.y, ends.w, -ends.x, dq);
+  const float qFront = clamp(ends.x, fanCentre.x * NEAR_DEPTH_RATIO, fanCentre.x / NEAR_DEPTH_RATIO);
   const float depthFront = 1.0 / qFront;
   const float depthBack = 1.0 / max(qFront - dq, qFront * NEAR_DEPTH_RATIO);
-  return Segment(fanEnds.y * depthFront, fanEnds.w * depthBack, depthFront, dq * depthFront * depthBack);
+  return Segment(ends.y * depthFront, ends.w * depthBack, depthFront, dq * depthFront * depthBack);
 }
 
 // From a clipped cell's planes (include/project_cell.glsl): the ray, origin + depth * direction, clipped against the four faces and
@@ -92,9 +112,9 @@ Segment clippedSegment(int slot, vec3 origin, vec3 direction) {
 //   screen   the ray's direction, x/z and y/z (perspective), or its position
 Segment fragmentSegment(vec2 screen) {
   Segment segment = fanSegment(screen);
-  if (kSilhouette || (fanCell & 1) != 0)
-    segment = kPerspective ? clippedSegment(fanCell >> 1, vec3(0.0), vec3(screen, 1.0))
-                           : clippedSegment(fanCell >> 1, vec3(screen, 0.0), vec3(0.0, 0.0, 1.0));
+  if (kSilhouette || isClippedFan())
+    segment = kPerspective ? clippedSegment(fanSlot(), vec3(0.0), vec3(screen, 1.0))
+                           : clippedSegment(fanSlot(), vec3(screen, 0.0), vec3(0.0, 0.0, 1.0));
   return segment;
 }
 
@@ -104,9 +124,10 @@ vec2 screenOf(vec4 fragCoord, ScreenScale scale) {
 
 // Light, premultiplied, and opacity of this fragment's segment.
 vec4 fragmentColor(Segment segment, vec2 screen) {
-  if (kIntegration == INTEGRATION_VERTEX && !kSilhouette && (fanCell & 1) == 0) {
+  if (kIntegration == INTEGRATION_VERTEX && !kSilhouette && !isClippedFan()) {
     // What is extrapolated, see above, is held to what there can be.
-    return vertexLight(vec4(max(fanEnds.rgb, vec3(0.0)), clamp(fanEnds.a, 0.0, 1.0)));
+    const vec4 ends = endsAtCentre();
+    return vertexLight(vec4(max(ends.rgb, vec3(0.0)), clamp(ends.a, 0.0, 1.0)));
   }
   return integrateSegment(segment.scalarFront, segment.scalarBack, segment.thickness * rayLengthPerDepth(screen));
 }

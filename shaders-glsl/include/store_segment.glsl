@@ -19,7 +19,7 @@ void main() {
   if (node >= push.band.capacity) return;
   // Cells may overlap: a ray goes through them in the order of its segments' middles.
   const uint middle = orderedFloat(segment.depthFront + 0.5 * segment.thickness);
-  const uint slot = push.firstSlot + uint(fanCell >> 1);
+  const uint slot = push.firstSlot + uint(fanSlot());
   pixelRanks[node] = kBuffer == 0u ? uvec2(middle, slot) : uvec2(slot, middle);
   pixelColors[node] = color;
   const uvec2 pixel = uvec2(gl_FragCoord.xy);

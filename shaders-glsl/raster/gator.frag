@@ -25,5 +25,5 @@ layout(location = 0) out vec4 color;  // premultiplied light, opacity; or what k
 void main() {
   const vec2 screen = screenOf(gl_FragCoord, push.scale);
   const vec4 layer = fragmentColor(fragmentSegment(screen), screen);
-  color = targetOutput(layer, uvec2(gl_FragCoord.xy), uint(fanCell >> 1));
+  color = targetOutput(layer, uvec2(gl_FragCoord.xy), uint(fanSlot()));
 }

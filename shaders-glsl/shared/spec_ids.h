@@ -11,6 +11,7 @@
 #define SPEC_RELATE_CHECK 6     // bool: relations are counted, not added
 #define SPEC_KBUFFER 7          // uint: size of the k-buffer; 0: fragments are sorted
 #define SPEC_SILHOUETTE 8       // bool: cells are drawn as outlines, rays are clipped per fragment; else as fans
+#define SPEC_SUBPIXELS 9        // uint: steps per pixel to which vertices of fans are snapped; 0: they are not
 #define SPEC_INTEGRATION 10     // uint: how light is integrated through a segment (shared/integration.h)
 #define SPEC_INTERPOLATION 11   // uint: what is interpolated over a fan's triangles (shared/integration.h)
 #define SPEC_TABLE_FETCH 12     // bool: tables are interpolated by the shader, not by the sampler

@@ -64,7 +64,8 @@ void DeviceOptions::add(CLI::App& app) {
       ->type_name("E");
   addTable(app);
   app.add_option("--force-path", forcePath, "For tests: take a code path that this device would not choose")
-      ->check(CLI::IsMember({"wide-addressing", "sort-tiles", "sort-chunks", "table-fetch", "walk-single", "walk-double"}));
+      ->check(CLI::IsMember({"wide-addressing", "sort-tiles", "sort-chunks", "table-fetch", "snap-vertices", "walk-single",
+                             "walk-double"}));
 }
 
 void DeviceOptions::addDevice(CLI::App& app) {
@@ -120,6 +121,7 @@ render::RendererOptions DeviceOptions::rendererOptions() const {
   options.kBuffer = kBuffer;
   options.forceWideAddressing = forcePath == "wide-addressing";
   if (forcePath == "walk-single" || forcePath == "walk-double") options.doublePrecision = forcePath == "walk-double";
+  if (forcePath == "snap-vertices") options.snapVertices = true;
   if (forcePath == "sort-tiles") options.sortVariant = render::SortVariant::Tiles;
   if (forcePath == "sort-chunks") options.sortVariant = render::SortVariant::Chunks;
   return options;

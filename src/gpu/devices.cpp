@@ -115,6 +115,8 @@ DeviceInfo describe(VkPhysicalDevice device, std::uint32_t index) {
   info.largestImageSide =
       std::min({plain.limits.maxImageDimension2D, plain.limits.maxFramebufferWidth, plain.limits.maxFramebufferHeight});
   info.subgroupSize = vulkan11.subgroupSize;
+  info.subpixels = 1u << plain.limits.subPixelPrecisionBits;
+  info.subtexelBits = plain.limits.subTexelPrecisionBits;
 
   VkPhysicalDeviceMemoryProperties memory;
   vkGetPhysicalDeviceMemoryProperties(device, &memory);

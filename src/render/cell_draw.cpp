@@ -54,6 +54,7 @@ const gpu::GraphicsPipeline& CellDraw::pipeline(const FrameVariant& variant, VkF
   constants.push_back({SPEC_EMISSION_PER_LENGTH, variant.emissionPerLength});
   constants.push_back({SPEC_OUTPUT, variant.output});
   constants.push_back({SPEC_KBUFFER, kBuffer});
+  constants.push_back({SPEC_SUBPIXELS, variant.silhouette ? 0 : variant.subpixels});  // outlines interpolate nothing
   // Shaders of fans are the same whatever the mesh: what projected them has dealt with that.
   if (variant.gator) {
     const gpu::SpecConstants projecting = variant.specConstants();

@@ -22,6 +22,7 @@ struct FrameVariant {
   bool gator = false;
   bool emissionPerLength = false;
   bool doublePrecision = false;    // of rays that walk; not in specConstants(): shaders of their own
+  std::uint32_t subpixels = 0;     // SPEC_SUBPIXELS; not in specConstants()
   std::uint32_t output = 0;        // shared/target_output.h
   IntegrationVariant integration;  // of the shaders that draw segments; not in specConstants()
 

@@ -38,6 +38,7 @@ Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const Scala
       mesh_(context, mesh, field),
       wideAddressing_(options.forceWideAddressing || needsWideAddressing(context.info(), mesh_)),
       checkOrder_(options.checkOrder),
+      subpixels_(options.snapVertices.value_or(!context.info().isCpu) ? context.info().subpixels : 0),
       tolerance_(options.tolerance),
       doublePrecision_(options.doublePrecision),
       projection_{options.projection, "asked for", 0.0},
@@ -125,6 +126,7 @@ OrderReport Renderer::drawInto(gpu::Recorder& recorder, const Camera& camera, Im
   variant.wideAddressing = wideAddressing_;
   variant.silhouette = projection() == CellProjection::Silhouette;
   variant.gator = projection() == CellProjection::Gator;
+  variant.subpixels = subpixels_;
   variant.emissionPerLength = transfer_->emission() == Emission::PerLength;
   variant.doublePrecision = usesDoublePrecision(setup);
   variant.integration = integration;

@@ -36,6 +36,9 @@ struct RendererOptions {
   // Of rays that walk, where the device has it. Nothing: where single precision may show (precision.h); else for tests.
   std::optional<bool> doublePrecision;
   CellProjection projection = CellProjection::Pt;
+  // Snap vertices of fans to the device's grid and take back what that does to interpolated values. Nothing: on devices
+  // that interpolate between snapped vertices, which are taken to be those that are not processors.
+  std::optional<bool> snapVertices;
   Order order =
       Order::Auto;      // CellProjection::March needs none and is always right; with Auto, any other keeps cells drawn
   bool mayWalk = true;  // CellProjection::Auto may become March; false where what frames ask for is made by blending
@@ -117,6 +120,7 @@ class Renderer {
   GpuMesh mesh_;
   bool wideAddressing_;
   bool checkOrder_;
+  std::uint32_t subpixels_;  // SPEC_SUBPIXELS
   std::optional<double> tolerance_;
   std::optional<bool> doublePrecision_;
   ProjectionChoice projection_;
