@@ -77,13 +77,15 @@ TEST_F(GpuTest, EveryMethodIsExactForAConstantScalar) {
       EXPECT_LE(largestError(context(), constant, {{0.3, 0.3, 1.0}}, method, options, lengthsUpTo(1)), 2e-6);
       continue;
     }
+    // What two entries differ by is what the sampler's fraction costs, which has 8 bits on NVIDIA's H200.
+    const double fraction = test::samplerFractionError(context());
     double limit = 2e-6;
     // Linear interpolation errs by h^2/8 times the second derivative, 4 exp(-2 l). The coarsest step of the logarithmic
     // axes is from 1/2 to 1; there the fraction of the logarithm is off by up to 0.086 of the rise of 0.23 in addition.
     if (method == Integration::Preint3d) options.size = {2, 2, 65};
     if (method == Integration::Preint3dLog || method == Integration::Preint3dOctave) options.size = {2, 2, 16};
-    if (method == Integration::Preint3d) limit = 4.0 / 8.0 / (64.0 * 64.0) + 1e-6;
-    if (method == Integration::Opacity2d) limit = 4.0 / 8.0 / (255.0 * 255.0) + 1e-6;
+    if (method == Integration::Preint3d) limit = 4.0 / 8.0 / (64.0 * 64.0) + 1e-6 + fraction * 2.0 / 64.0;
+    if (method == Integration::Opacity2d) limit = 4.0 / 8.0 / (255.0 * 255.0) + 1e-6 + fraction * 2.0 / 255.0;
     if (method == Integration::Preint3dOctave) limit = 0.5 * 0.5 / 8.0 * 4.0 * std::exp(-1.0);
     if (method == Integration::Preint3dLog) limit = 0.5 * 0.5 / 8.0 * 4.0 * std::exp(-1.0) + 0.086 * 0.233;
     EXPECT_LE(largestError(context(), constant, segments, method, options, lengthsUpTo(1)), limit);

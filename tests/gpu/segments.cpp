@@ -9,6 +9,10 @@
 
 namespace tetralux::test {
 
+double samplerFractionError(const gpu::Context& context) {
+  return context.info().isCpu ? 0.0 : std::exp2(-1.0 - context.info().subtexelBits);
+}
+
 double largestError(const gpu::Context& context, const TransferFunction& transfer, const std::vector<Segment>& segments,
                     render::Integration integration, const render::TableOptions& options,
                     const render::CellLengths& lengths) {

@@ -10,6 +10,10 @@ using stability::roundedSegment;
 using stability::Segment;
 using stability::unitSpace;
 
+// By how much a sampler's fraction between two texels may be off: half a step of the device's. Software devices have
+// whole floats there.
+double samplerFractionError(const gpu::Context& context);
+
 // Largest difference over segments and channels from the double-precision integral; not a number counts as a failure of
 // the test.
 double largestError(const gpu::Context& context, const TransferFunction& transfer, const std::vector<Segment>& segments,

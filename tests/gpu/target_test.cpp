@@ -109,9 +109,12 @@ TEST_F(GpuTest, EightBitsAreTheNearestOfOneLayer) {
   const Image full = draw(context(), mesh, thin(), Target::Rgba32f).image;
   const Image bytes = draw(context(), mesh, thin(), Target::Rgba8).image;
   const Image dithered = draw(context(), mesh, thin(), Target::Rgba8Dither).image;
+  // Vulkan prefers the nearest of the two levels next to a number, and allows the other. NVIDIA's H200 is up to 0.552
+  // levels off (Direct3D 11 allows 0.6); software rounds to the nearest.
+  const double levels = context().info().isCpu ? 0.502 : 0.6;
   for (size_t i = 0; i < full.pixels.size(); i++) {
     for (int c = 0; c < 4; c++) {
-      EXPECT_NEAR(bytes.pixels[i][c], full.pixels[i][c], 0.502 / 255);
+      EXPECT_NEAR(bytes.pixels[i][c], full.pixels[i][c], levels / 255);
       EXPECT_NEAR(dithered.pixels[i][c], full.pixels[i][c], 1.001 / 255);
     }
   }
