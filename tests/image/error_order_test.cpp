@@ -192,6 +192,7 @@ class SharedErrorOrder : public ErrorOrder, public ::testing::WithParamInterface
 TEST_P(SharedErrorOrder, IsWhatTheorySays) {
   const std::string name = GetParam();
   REQUIRE_SHARED("scenes/" + name + ".json");
+  REQUIRE_SHARED("reference/" + name + ".exr");
   const ErrorCase c = sharedCase(name);
   const Errors errors = errorsOf(context(), c);
   expectExactThenMoments(errors);
@@ -217,6 +218,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SharedErrorOrder,
 // ray's ends.
 TEST_F(ErrorOrder, VerticesErrMoreThanRays) {
   REQUIRE_SHARED("scenes/spx_smooth.json");
+  REQUIRE_SHARED("reference/spx_smooth.exr");
   const Errors errors = errorsOf(context(), sharedCase("spx_smooth"), CellProjection::Pt);
   for (const Integration ends : {Linear, Ppi, Average, Opacity2d}) expectBelow(errors, ends, Vertex, 0.5);
 }
@@ -224,8 +226,12 @@ TEST_F(ErrorOrder, VerticesErrMoreThanRays) {
 // Depths within a cell differ most where the eye is near (Kraus, Qiao and Ebert 2004, section 2.1); without
 // perspective, what is linear in space is linear on the screen, and the two are one.
 TEST_F(ErrorOrder, PerspectiveBeatsScreenInCloseViews) {
-  for (const char* const name : {"spx_close", "spx_ortho"}) {
-    REQUIRE_SHARED("scenes/" + std::string(name) + ".json");
+  const std::string names[] = {"spx_close", "spx_ortho"};
+  for (const std::string& name : names) {
+    REQUIRE_SHARED("scenes/" + name + ".json");
+    REQUIRE_SHARED("reference/" + name + ".exr");
+  }
+  for (const std::string& name : names) {
     const ErrorCase c = sharedCase(name);
     Renderer renderer(context(), c.mesh, c.field);
     renderer.setTransferFunction(c.transfer);

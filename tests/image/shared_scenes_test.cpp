@@ -34,12 +34,14 @@ class SharedScenes : public test::GpuTest, public ::testing::WithParamInterface<
 TEST_P(SharedScenes, AreDrawnWithinTheirLimit) {
   const std::string name = GetParam();
   REQUIRE_SHARED("scenes/" + name + ".json");
+  REQUIRE_SHARED("reference/" + name + ".exr");
   expectExact(context(), name, {});
 }
 
 TEST_P(SharedScenes, AreMarchedWithinTheirLimit) {
   const std::string name = GetParam();
   REQUIRE_SHARED("scenes/" + name + ".json");
+  REQUIRE_SHARED("reference/" + name + ".exr");
   RendererOptions options;
   options.projection = CellProjection::March;
   expectExact(context(), name, options);
@@ -48,6 +50,7 @@ TEST_P(SharedScenes, AreMarchedWithinTheirLimit) {
 TEST_P(SharedScenes, AreDrawnAsSilhouettesWithinTheirLimit) {
   const std::string name = GetParam();
   REQUIRE_SHARED("scenes/" + name + ".json");
+  REQUIRE_SHARED("reference/" + name + ".exr");
   RendererOptions options;
   options.projection = CellProjection::Silhouette;
   expectExact(context(), name, options);
@@ -88,6 +91,7 @@ class CloseScenes : public test::GpuTest, public ::testing::WithParamInterface<c
 TEST_P(CloseScenes, AreProjectedByVertexShadersWithinTheirLimit) {
   const std::string name = GetParam();
   REQUIRE_SHARED("scenes/" + name + ".json");
+  REQUIRE_SHARED("reference/" + name + ".exr");
   RendererOptions options;
   options.projection = CellProjection::Gator;
   expectExact(context(), name, options);

@@ -16,6 +16,7 @@ class SharedImages : public ::testing::TestWithParam<const char*> {};
 TEST_P(SharedImages, AreMetToRounding) {
   const std::string name = GetParam();
   REQUIRE_SHARED("scenes/" + name + ".json");
+  REQUIRE_SHARED("reference/" + name + ".exr");
   const Scene scene = readScene(test::sharedPath("scenes/" + name + ".json"));
   const TetMesh mesh = readMesh(scene.meshPath);
   const ScalarField field = scalarField(mesh, scene.fieldName, name);
