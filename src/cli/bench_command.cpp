@@ -18,7 +18,12 @@ class BenchCommand : public Command {
     app.add_option("scenes", scenes_, "Scenes (.json) or meshes (.vtu, .vtk)")->required()->type_name("SCENE...");
     app.add_option("--frames", frames_, "Frames timed; the camera turns by one degree a frame (default: 9)")
         ->check(CLI::Range(1u, 100000u));
-    app.add_option("--warmup", warmup_, "Frames drawn before (default: 2)")->check(CLI::Range(0u, 100000u));
+    app.add_option("--warmup", warmup_, "Frames drawn before, at least (default: 2)")->check(CLI::Range(0u, 100000u));
+    app.add_option(
+           "--warmup-ms", warmupMs_,
+           "... for so many milliseconds, and until frames stop becoming faster or ten times as many have passed "
+           "(default: 300; on processors 0, which waits for nothing)")
+        ->check(CLI::Range(0.0, 1e6));
     app.add_option("--max-rmse", maxRmse_,
                    "No timing of a picture whose RMSE is above this (default: 5e-5); with --tolerance, the largest "
                    "error counts")
@@ -69,8 +74,9 @@ class BenchCommand : public Command {
       fail(ErrorCode::Limit, "{}: RMSE {:.3g} over {} pixels, expected at most {:.3g}: not timed", path, check.rmse,
            check.pixels, maxRmse_);
 
-    Progress progress("bench " + std::filesystem::path(path).stem().string(), warmup_ + frames_);
-    run.frames = timeTurn(renderer, first, loaded.scene.size, options, {warmup_, frames_}, [&] { progress.advance(); });
+    Progress progress("bench " + std::filesystem::path(path).stem().string(), frames_);
+    const TimedTurn turn{warmup_, warmupMs_.value_or(defaultWarmupMs(context.info())), frames_};
+    run.frames = timeTurn(renderer, first, loaded.scene.size, options, turn, [&] { progress.advance(); });
     failOnValidationMessages();
     nlohmann::ordered_json json = {{"scene", path}};
     json.update(statsJson(loaded, context.info(), renderer, run));
@@ -101,6 +107,7 @@ class BenchCommand : public Command {
   std::vector<std::string> scenes_;
   std::uint32_t frames_ = 9;
   std::uint32_t warmup_ = 2;
+  std::optional<double> warmupMs_;
   double maxRmse_ = 5e-5;
   std::uint32_t checkPixels_ = 1000;
   bool json_ = false;

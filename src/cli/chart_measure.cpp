@@ -158,7 +158,7 @@ void ChartMeasurer::draw(const Measurement& measurement, chart::CsvRow& row) {
   render::RenderOptions options = measurement.configuration.deviceOptions().renderOptions();
   options.timed = true;
 
-  // The picture is also the warm-up of what is timed.
+  // The picture is also a warm-up of what is timed.
   RunStats run;
   run.frames = {renderer.draw(loaded.scene.camera, size, options)};
   const Image picture = renderer.readImage();
@@ -167,8 +167,8 @@ void ChartMeasurer::draw(const Measurement& measurement, chart::CsvRow& row) {
   if (measurement.kind != MeasurementKind::Time) comparePicture(measurement, picture, row);
   if (measurement.kind == MeasurementKind::Error) return;
 
-  run.frames =
-      timeTurn(renderer, loaded.scene.camera, size, options, {.frames = frames_, .limitSeconds = kLimitSeconds}, [] {});
+  const TimedTurn turn{.warmupMs = defaultWarmupMs(context_.info()), .frames = frames_, .limitSeconds = kLimitSeconds};
+  run.frames = timeTurn(renderer, loaded.scene.camera, size, options, turn, [] {});
   failOnValidationMessages();
   addTimes(statsJson(loaded, context_.info(), renderer, run), row);
 }

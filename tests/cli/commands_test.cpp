@@ -160,7 +160,7 @@ TEST_F(Commands, CompareJudgesByItsLimits) {
 
 TEST_F(Commands, BenchPrintsAnArrayWithAnObjectPerScene) {
   const json all = json::parse(run({"bench", "m.vtu", "m.vtu", "--size", "32x32", "--frames", "2", "--warmup", "1",
-                                    "--max-rmse", "0.05", "--json", "--quiet"})
+                                    "--warmup-ms", "1", "--max-rmse", "0.05", "--json", "--quiet"})
                                    .out);
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0]["frames"], 2);
