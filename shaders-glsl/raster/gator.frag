@@ -23,6 +23,10 @@ layout(push_constant, scalar) uniform Push { CellPush push; };
 layout(location = 0) out vec4 color;  // premultiplied light, opacity; or what kOutput says
 
 void main() {
+  if (kOutput == OUTPUT_CONSTANT) {
+    color = vec4(1.0 / 1024.0);
+    return;
+  }
   const vec2 screen = screenOf(gl_FragCoord, push.scale);
   const vec4 layer = fragmentColor(fragmentSegment(screen), screen);
   color = targetOutput(layer, uvec2(gl_FragCoord.xy), uint(fanSlot()));

@@ -15,6 +15,8 @@ SHARED_CONST uint OUTPUT_DITHERED = 1;
 //     OUTPUT_TRUNCATIONS   sum T_i     sum of roundings that all have one sense; min(N, 1/alpha)
 SHARED_CONST uint OUTPUT_ROUNDINGS = 2;
 SHARED_CONST uint OUTPUT_TRUNCATIONS = 3;
+// The same faint grey from every fragment, not integrated: what drawing costs at least (render/floor_times.h).
+SHARED_CONST uint OUTPUT_CONSTANT = 4;
 
 SHARED_END
 

@@ -4,6 +4,7 @@
 #include "base/files.h"
 #include "base/progress.h"
 #include "cli/commands.h"
+#include "cli/floor_report.h"
 #include "cli/load_scene.h"
 #include "cli/stats_json.h"
 #include "cli/timed_frames.h"
@@ -30,6 +31,9 @@ class BenchCommand : public Command {
         ->check(CLI::NonNegativeNumber);
     app.add_option("--check-pixels", checkPixels_, "Pixels compared with the exact answer first (default: 1000)")
         ->check(CLI::Range(1u, 1000000u));
+    app.add_flag("--floor", floor_,
+                 "Measure what the passes could cost at least: a copy of what they move, triangles of one colour, an "
+                 "empty submission");
     app.add_flag("--json", json_, "Print JSON: one array with an object per scene");
     app.add_option("--stats", statsFile_, "Write the same array to a file")->type_name("FILE.json");
     sceneOptions_.add(app);
@@ -43,7 +47,9 @@ class BenchCommand : public Command {
     if (!json_) printHeader(context.info());
     for (const std::string& scene : scenes_) {
       all.push_back(benchScene(context, scene));
-      if (!json_) printRow(all.back());
+      if (json_) continue;
+      printRow(all.back());
+      if (floor_) printFloor(all.back()["floor"]);
     }
     if (json_) fmt::print("{}\n", all.dump(1));
     if (!statsFile_.empty()) writeFile(statsFile_, all.dump(1) + "\n");
@@ -81,6 +87,9 @@ class BenchCommand : public Command {
     nlohmann::ordered_json json = {{"scene", path}};
     json.update(statsJson(loaded, context.info(), renderer, run));
     json["check"] = {{"pixels", check.pixels}, {"rmse", check.rmse}, {"max", check.max}};
+    if (floor_)
+      json["floor"] = floorJson(context, renderer, first, loaded.scene.size, options, loaded.mesh.cellCount(),
+                                loaded.mesh.pointCount(), run.frames);
     return json;
   }
 
@@ -110,6 +119,7 @@ class BenchCommand : public Command {
   std::optional<double> warmupMs_;
   double maxRmse_ = 5e-5;
   std::uint32_t checkPixels_ = 1000;
+  bool floor_ = false;
   bool json_ = false;
   std::string statsFile_;
   SceneOptions sceneOptions_;

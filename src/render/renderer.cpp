@@ -191,7 +191,9 @@ FrameStats Renderer::draw(const Camera& camera, ImageSize size, const RenderOpti
       options.target == Target::Auto ? chooseTarget(camera, size, integration, timing, stats) : options.target;
   target_.prepare(size, stats.target);
   const FrameTarget target{target_.picture(), target_.chunk(), chunkCellCount(options.chunkCells, mesh_.cellCount())};
-  const std::uint32_t output = stats.target == Target::Rgba8Dither ? shared::OUTPUT_DITHERED : shared::OUTPUT_COLOR;
+  const std::uint32_t output = options.constantColor                 ? shared::OUTPUT_CONSTANT
+                               : stats.target == Target::Rgba8Dither ? shared::OUTPUT_DITHERED
+                                                                     : shared::OUTPUT_COLOR;
   gpu::Recorder recorder(context_, timing);
   stats.order = drawInto(recorder, camera, size, integration, output, target, checkOrder_);
 

@@ -26,6 +26,8 @@ struct RenderOptions {
   Interpolation interpolation = Interpolation::Perspective;
   TableOptions table;
   bool timed = false;  // time every pass (costs a little)
+  // What is drawn of cells is a faint grey, not integrated: the least that pass "raster" costs.
+  bool constantColor = false;
 };
 
 struct RendererOptions {

@@ -168,6 +168,24 @@ TEST_F(Commands, BenchPrintsAnArrayWithAnObjectPerScene) {
   EXPECT_GT(all[0]["check"]["pixels"].get<int>(), 500);
 }
 
+TEST_F(Commands, BenchMeasuresFloors) {
+  const json all = json::parse(run({"bench", "m.vtu", "--size", "32x32", "--frames", "1", "--projection", "pt",
+                                    "--order", "radix", "--max-rmse", "1", "--floor", "--json", "--quiet"})
+                                   .out);
+  const json& floor = all[0]["floor"];
+  EXPECT_GT(floor["empty_submit_ms"].get<double>(), 0.0);
+  std::vector<std::string> measured;
+  for (const json& pass : floor["passes"]) {
+    if (pass["bytes"].is_null()) continue;
+    measured.push_back(pass["pass"]);
+    EXPECT_GT(pass["ratio"].get<double>(), 0.0) << pass;
+    EXPECT_GT(pass["copy_ms"].get<double>(), 0.0) << pass;
+    EXPECT_GT(pass["items"].get<int>(), 0) << pass;
+    EXPECT_EQ(pass["draw_ms"].is_null(), pass["pass"] != "raster");
+  }
+  EXPECT_EQ(measured, (std::vector<std::string>{"cull", "sort", "project", "raster"}));
+}
+
 TEST_F(Commands, BenchRefusesAWrongPicture) {
   const auto result = runTetralux({"bench", "m.vtu", "--size", "32x32", "--max-rmse", "0", "--quiet"}, dir_.path());
   EXPECT_EQ(result.status, 1);

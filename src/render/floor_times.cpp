@@ -1,0 +1,43 @@
+#include "render/floor_times.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "gpu/recorder.h"
+
+namespace tetralux::render {
+namespace {
+
+constexpr int kRepeats = 7;
+constexpr std::uint64_t kLargestCopyBytes = 256u << 20;
+
+template <typename Measure>
+double medianOf(const Measure& measure) {
+  measure();  // memory is touched, pipelines are awake
+  std::vector<double> ms;
+  for (int i = 0; i < kRepeats; i++) ms.push_back(measure());
+  std::sort(ms.begin(), ms.end());
+  return ms[ms.size() / 2];
+}
+
+}  // namespace
+
+double emptySubmitMs(const gpu::Context& context) {
+  return medianOf([&] { return gpu::CommandBuffer(context).submitAndWait(); });
+}
+
+double copyMs(const gpu::Context& context, std::uint64_t bytes) {
+  if (bytes == 0) return 0.0;
+  const std::uint64_t copied = std::clamp<std::uint64_t>(bytes / 2 / 4 * 4, 4, kLargestCopyBytes);
+  const gpu::Buffer from(context, copied, gpu::MemoryKind::Device, "floor, read");
+  const gpu::Buffer to(context, copied, gpu::MemoryKind::Device, "floor, written");
+  const double ms = medianOf([&] {
+    gpu::Recorder recorder(context, gpu::bestTiming(context.info()));
+    recorder.pass("copy").copy(from, 0, to, 0, copied);
+    recorder.sync();
+    return recorder.passTimes().front().gpuMs;
+  });
+  return ms * std::max(1.0, static_cast<double>(bytes) / 2.0 / static_cast<double>(copied));
+}
+
+}  // namespace tetralux::render
