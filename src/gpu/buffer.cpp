@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 
 #include "base/check.h"
 #include "base/error.h"
@@ -127,6 +128,23 @@ void upload(const Context& context, const Buffer& buffer, const void* data, std:
     std::memcpy(staging.mapped(), static_cast<const char*>(data) + done, part);
     CommandBuffer commands(context);
     commands.copy(staging, 0, buffer, offsetBytes + done, part);
+    commands.barrier(access::kTransferWrite, access::kAnyRead);
+    commands.submitAndWait();
+  }
+}
+
+void uploadPieces(const Context& context, const Buffer& buffer,
+                  const std::function<void(std::span<std::byte>, std::uint64_t)>& fill) {
+  std::optional<Buffer> staging;
+  if (!buffer.mapped())
+    staging.emplace(context, std::min(buffer.sizeBytes(), kStagingBytes), MemoryKind::Upload, "staging");
+  for (std::uint64_t done = 0; done < buffer.sizeBytes(); done += kStagingBytes) {
+    const std::uint64_t part = std::min(kStagingBytes, buffer.sizeBytes() - done);
+    auto* bytes = static_cast<std::byte*>(staging ? staging->mapped() : buffer.mapped());
+    fill({staging ? bytes : bytes + done, part}, done);
+    if (!staging) continue;
+    CommandBuffer commands(context);
+    commands.copy(*staging, 0, buffer, done, part);
     commands.barrier(access::kTransferWrite, access::kAnyRead);
     commands.submitAndWait();
   }

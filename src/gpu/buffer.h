@@ -1,7 +1,10 @@
 // Device memory with numbers in it.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -64,6 +67,11 @@ class TexelView {
 void upload(const Context& context, const Buffer& buffer, const void* data, std::uint64_t sizeBytes,
             std::uint64_t offsetBytes = 0);
 
+// Fills a whole buffer piece by piece, without a copy of all of it on the host: fill(piece, offset) writes the bytes
+// that belong at `offset`. Pieces are up to 64 MiB long and begin at multiples of that.
+void uploadPieces(const Context& context, const Buffer& buffer,
+                  const std::function<void(std::span<std::byte>, std::uint64_t)>& fill);
+
 // The same back to the host.
 void download(const Context& context, const Buffer& buffer, void* data, std::uint64_t sizeBytes,
               std::uint64_t offsetBytes = 0);
@@ -80,6 +88,19 @@ template <typename T>
 Buffer makeBuffer(const Context& context, const std::vector<T>& values, const std::string& name) {
   Buffer buffer(context, values.size() * sizeof(T), MemoryKind::Device, name);
   upload(context, buffer, values.data(), values.size() * sizeof(T));
+  return buffer;
+}
+
+// A device buffer of `count` numbers, of which fill(numbers, first) writes some from the first-th on. Holds one of them
+// where count is 0.
+template <typename T, typename Fill>
+Buffer makeBuffer(const Context& context, std::uint64_t count, const std::string& name, const Fill& fill) {
+  static_assert((std::uint64_t{64} << 20) % sizeof(T) == 0, "a number in two pieces");
+  Buffer buffer(context, count * sizeof(T), MemoryKind::Device, name);
+  uploadPieces(context, buffer, [&](std::span<std::byte> piece, std::uint64_t offset) {
+    const std::uint64_t first = offset / sizeof(T);
+    fill(std::span(reinterpret_cast<T*>(piece.data()), std::min(piece.size() / sizeof(T), count - first)), first);
+  });
   return buffer;
 }
 

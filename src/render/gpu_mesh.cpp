@@ -1,7 +1,7 @@
 #include "render/gpu_mesh.h"
 
 #include <glm/vec4.hpp>
-#include <vector>
+#include <span>
 
 #include "base/error.h"
 #include "base/parallel.h"
@@ -14,30 +14,35 @@ constexpr size_t kGrain = 1 << 16;
 
 gpu::Buffer makeVertexBuffer(const gpu::Context& context, const TetMesh& mesh, const ScalarField& field,
                              const MeshSpace& space) {
-  std::vector<glm::vec4> vertices(mesh.pointCount());
   const bool hasScalar = field.association == FieldAssociation::Point;
-  parallelFor(vertices.size(), kGrain, [&](size_t begin, size_t end, unsigned) {
-    for (size_t i = begin; i < end; i++)
-      vertices[i] = glm::vec4(space.roundedPosition(mesh.point(i)), hasScalar ? space.scalar(field.values[i]) : 0.0f);
-  });
-  return gpu::makeBuffer(context, vertices, "mesh vertices");
+  return gpu::makeBuffer<glm::vec4>(
+      context, mesh.pointCount(), "mesh vertices", [&](std::span<glm::vec4> vertices, size_t first) {
+        parallelFor(vertices.size(), kGrain, [&](size_t begin, size_t end, unsigned) {
+          for (size_t i = begin; i < end; i++) {
+            const size_t point = first + i;
+            vertices[i] =
+                glm::vec4(space.roundedPosition(mesh.point(point)), hasScalar ? space.scalar(field.values[point]) : 0.0f);
+          }
+        });
+      });
 }
 
 // Vertices in ascending order: a cell is a set of points, and two cells that share a face then name it alike.
 gpu::Buffer makeCellBuffer(const gpu::Context& context, const TetMesh& mesh) {
-  std::vector<CellVertices> cells(mesh.cellCount());
-  parallelFor(cells.size(), kGrain, [&](size_t begin, size_t end, unsigned) {
-    for (size_t i = begin; i < end; i++) cells[i] = sortedVertices(mesh.cells[i]);
-  });
-  return gpu::makeBuffer(context, cells, "mesh cells");
+  return gpu::makeBuffer<CellVertices>(context, mesh.cellCount(), "mesh cells",
+                                       [&](std::span<CellVertices> cells, size_t first) {
+                                         parallelFor(cells.size(), kGrain, [&](size_t begin, size_t end, unsigned) {
+                                           for (size_t i = begin; i < end; i++)
+                                             cells[i] = sortedVertices(mesh.cells[first + i]);
+                                         });
+                                       });
 }
 
 gpu::Buffer makeCellScalarBuffer(const gpu::Context& context, const ScalarField& field, const MeshSpace& space) {
-  std::vector<float> scalars(field.association == FieldAssociation::Cell ? field.values.size() : 1, 0.0f);
-  if (field.association == FieldAssociation::Cell) {
-    for (size_t i = 0; i < scalars.size(); i++) scalars[i] = space.scalar(field.values[i]);
-  }
-  return gpu::makeBuffer(context, scalars, "cell scalars");
+  const size_t count = field.association == FieldAssociation::Cell ? field.values.size() : 0;
+  return gpu::makeBuffer<float>(context, count, "cell scalars", [&](std::span<float> scalars, size_t first) {
+    for (size_t i = 0; i < scalars.size(); i++) scalars[i] = space.scalar(field.values[first + i]);
+  });
 }
 
 // Cell indices are 32 bits wide in the sort's values, and one is kept free.
