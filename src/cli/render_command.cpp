@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <future>
+
 #include "base/error.h"
 #include "base/files.h"
 #include "base/progress.h"
@@ -39,8 +41,13 @@ class RenderCommand : public Command {
     const std::vector<FramePattern> patterns = outputPatterns();
     ExrOptions exr = exrOptions_.exrOptions();
     render::RenderOptions options = deviceOptions_.renderOptions();
+    // Vulkan starts while the mesh is read: neither needs the other, and each takes tens of milliseconds at least.
+    auto starting = std::async(std::launch::async, [contextOptions = deviceOptions_.contextOptions()] {
+      return std::make_unique<gpu::Context>(contextOptions);
+    });
     const LoadedScene loaded = loadScene(input_, sceneOptions_);
-    const gpu::Context context(deviceOptions_.contextOptions());
+    const std::unique_ptr<gpu::Context> startedContext = starting.get();
+    const gpu::Context& context = *startedContext;
     render::RendererOptions rendererOptions = deviceOptions_.rendererOptions();
     rendererOptions.checkOrder = !statsFile_.empty();
     render::Renderer renderer(context, loaded.mesh, loaded.field, rendererOptions);
