@@ -21,6 +21,12 @@ struct LoadedScene {
   reference::ReferenceScene exact(const Camera& camera) const {
     return {mesh, field, scene.transferFunction, camera, scene.size};
   }
+
+  // Frees the mesh and the field's values: a renderer has its own, and no exact answer will be asked for.
+  void releaseMesh() {
+    mesh = {};
+    field.values = {};
+  }
 };
 
 // Whether a name is that of a scene (.json) and not of a mesh.

@@ -45,12 +45,13 @@ class RenderCommand : public Command {
     auto starting = std::async(std::launch::async, [contextOptions = deviceOptions_.contextOptions()] {
       return std::make_unique<gpu::Context>(contextOptions);
     });
-    const LoadedScene loaded = loadScene(input_, sceneOptions_);
+    LoadedScene loaded = loadScene(input_, sceneOptions_);
     const std::unique_ptr<gpu::Context> startedContext = starting.get();
     const gpu::Context& context = *startedContext;
     render::RendererOptions rendererOptions = deviceOptions_.rendererOptions();
     rendererOptions.checkOrder = !statsFile_.empty();
     render::Renderer renderer(context, loaded.mesh, loaded.field, rendererOptions);
+    if (certifyOptions_.count == 0) loaded.releaseMesh();
     renderer.setTransferFunction(loaded.scene.transferFunction);
     options.timed = !statsFile_.empty();
     Certifier certifier(certifyOptions_);

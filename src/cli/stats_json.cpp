@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/memory.h"
 #include "cli/commands.h"
 
 namespace tetralux::cli {
@@ -101,8 +102,8 @@ nlohmann::ordered_json statsJson(const LoadedScene& loaded, const gpu::DeviceInf
   json["target"] = render::targetName(last.target);
   json["tolerance"] = toleranceJson(last.plan);
   json["frames"] = run.frames.size();
-  json["tets"] = loaded.mesh.cellCount();
-  json["points"] = loaded.mesh.pointCount();
+  json["tets"] = renderer.cellCount();
+  json["points"] = renderer.pointCount();
   json["drawn_tets"] = last.drawnCells;
   json["clipped_tets"] =
       last.clippedCells ? nlohmann::ordered_json(*last.clippedCells) : nlohmann::ordered_json(nullptr);
@@ -120,6 +121,14 @@ nlohmann::ordered_json statsJson(const LoadedScene& loaded, const gpu::DeviceInf
                    {"frame", memory.frameBytes},
                    {"order", memory.orderBytes},
                    {"tables", memory.tableBytes}};
+  const auto perTet = [&](std::uint64_t bytes) {
+    return std::round(static_cast<double>(bytes) / static_cast<double>(renderer.cellCount()) * 100.0) / 100.0;
+  };
+  json["bytes_per_tet"] = {
+      {"host_mesh", perTet(memory.hostMeshBytes)}, {"host_adjacency", perTet(memory.hostAdjacencyBytes)},
+      {"mesh", perTet(memory.meshBytes)},          {"topology", perTet(memory.topologyBytes)},
+      {"order", perTet(memory.cellOrderBytes)},    {"lists", perTet(memory.pictureBytes)},
+      {"tables", perTet(memory.tableBytes)},       {"process_peak", perTet(peakMemoryBytes())}};
   return json;
 }
 

@@ -38,6 +38,10 @@ struct Adjacency {
   bool isConvex = false;
 
   std::uint64_t foldedFaces = 0;
+
+  size_t sizeBytes() const {
+    return neighbors.size() * sizeof neighbors[0] + sides.size() + boundary.size() * sizeof boundary[0];
+  }
 };
 
 // Linear in the mesh; 8 bytes per cell and 8 per point while it runs, 17 per cell in the result.

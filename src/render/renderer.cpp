@@ -39,6 +39,7 @@ Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const Scala
       wideAddressing_(options.forceWideAddressing || needsWideAddressing(context.info(), mesh_)),
       checkOrder_(options.checkOrder),
       subpixels_(options.snapVertices.value_or(!context.info().isCpu) ? context.info().subpixels : 0),
+      hostMeshBytes_(mesh.sizeBytes() + field.values.size() * sizeof(double)),
       tolerance_(options.tolerance),
       doublePrecision_(options.doublePrecision),
       projection_{options.projection, "asked for", 0.0},
@@ -49,6 +50,7 @@ Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const Scala
     marchPass_ = std::make_unique<MarchPass>(context);
     Adjacency adjacency = makeAdjacency(mesh);
     cutFolds(mesh, adjacency);
+    noteAdjacency(adjacency);
     marchStorage_ = std::make_unique<MarchStorage>(context, mesh, mesh_.space(), adjacency);
     return;
   }
@@ -57,10 +59,17 @@ Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const Scala
   std::optional<Adjacency> adjacency;
   if (options.checkOrder || needsVisibility(options.order)) {
     adjacency = makeAdjacency(mesh);
+    noteAdjacency(*adjacency);
     visibility_ = std::make_unique<VisibilityKit>(context, *adjacency, findOverlaps(mesh, *adjacency));
   }
   order_ = makeOrder(context, {mesh, mesh_.space(), adjacency ? &*adjacency : nullptr}, options.order, options.kBuffer,
                      sortVariant(context, options), visibility_.get());
+}
+
+void Renderer::noteAdjacency(const Adjacency& adjacency) {
+  hostAdjacencyBytes_ = adjacency.sizeBytes();
+  // Corners of boundary faces are the one list that may be longer than the mesh's.
+  if (3 * adjacency.boundary.size() > context_.info().largestTexelBuffer) wideAddressing_ = true;
 }
 
 void Renderer::setTransferFunction(const TransferFunction& transfer) {
@@ -226,6 +235,12 @@ MemoryUse Renderer::memoryUse() const {
   use.meshBytes = mesh_.sizeBytes();
   use.frameBytes = (storage_ ? storage_->sizeBytes() : marchStorage_->sizeBytes()) + target_.sizeBytes();
   use.orderBytes = (order_ ? order_->sizeBytes() : 0) + (visibility_ ? visibility_->sizeBytes() : 0);
+  use.topologyBytes =
+      marchStorage_ ? marchStorage_->topology().sizeBytes() : (visibility_ ? visibility_->topology.sizeBytes() : 0);
+  use.cellOrderBytes = use.orderBytes + (storage_ ? storage_->sort.sizeBytes() - use.topologyBytes : 0);
+  use.pictureBytes = use.frameBytes - (storage_ ? storage_->sort.sizeBytes() : use.topologyBytes);
+  use.hostMeshBytes = hostMeshBytes_;
+  use.hostAdjacencyBytes = hostAdjacencyBytes_;
   use.tableBytes = (transfer_ ? transfer_->sizeBytes() : 0) + (tables_ ? tables_->sizeBytes() : 0);
   return use;
 }

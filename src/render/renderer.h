@@ -9,6 +9,7 @@
 
 #include "gpu/recorder.h"
 #include "image/image.h"
+#include "mesh/adjacency.h"
 #include "mesh/tet_mesh.h"
 #include "render/frame.h"
 #include "render/order/order_check.h"
@@ -74,11 +75,21 @@ struct FrameStats {
   double readbackMs = 0.0;               // picture to host memory
 };
 
+// On the device, but for the last two.
 struct MemoryUse {
   std::uint64_t meshBytes = 0;
   std::uint64_t frameBytes = 0;
   std::uint64_t orderBytes = 0;
   std::uint64_t tableBytes = 0;
+
+  // The frame's and the order's again, by what they grow with.
+  std::uint64_t topologyBytes = 0;   // cells: who is whose neighbour
+  std::uint64_t cellOrderBytes = 0;  // cells: keys, indices, what finds an order
+  std::uint64_t pictureBytes = 0;    // pixels: pictures, lists of fragments, batches of projected cells
+
+  // On the host, while the renderer was made: mesh and field, and who is whose neighbour.
+  std::uint64_t hostMeshBytes = 0;
+  std::uint64_t hostAdjacencyBytes = 0;
 };
 
 class Renderer {
@@ -101,9 +112,13 @@ class Renderer {
 
   MemoryUse memoryUse() const;
   const MeshSpace& space() const { return mesh_.space(); }
+  std::uint64_t cellCount() const { return mesh_.cellCount(); }
+  std::uint64_t pointCount() const { return mesh_.vertexCount(); }
   CellProjection projection() const { return projection_.projection; }
 
  private:
+  // What depends on the mesh's adjacency beside its copy on the device.
+  void noteAdjacency(const Adjacency& adjacency);
   // Throws Error(Usage) for a method that cannot carry the transfer function's emission or does not go with the
   // projection.
   void checkMethod(const RenderOptions& options) const;
@@ -123,6 +138,8 @@ class Renderer {
   bool wideAddressing_;
   bool checkOrder_;
   std::uint32_t subpixels_;  // SPEC_SUBPIXELS
+  std::uint64_t hostMeshBytes_;
+  std::uint64_t hostAdjacencyBytes_ = 0;
   std::optional<double> tolerance_;
   std::optional<bool> doublePrecision_;
   ProjectionChoice projection_;

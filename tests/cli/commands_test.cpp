@@ -95,12 +95,15 @@ TEST_F(Commands, StatisticsHaveTheirFixedKeys) {
   const json stats = json::parse(readTextFile(dir_ / "s.json"));
   for (const char* key :
        {"device", "driver", "width", "height", "integration", "interpolation", "projection", "order", "target", "tets",
-        "points", "drawn_tets", "triangles", "culled", "order_check", "ms", "bytes"})
+        "points", "drawn_tets", "triangles", "culled", "order_check", "ms", "bytes", "bytes_per_tet"})
     EXPECT_TRUE(stats.contains(key)) << key;
   for (const char* key : {"no_sample", "transparent", "outside"}) EXPECT_TRUE(stats["culled"].contains(key)) << key;
   for (const char* key : {"load", "first_frame", "frame", "project", "sort", "raster", "readback"})
     EXPECT_GE(stats["ms"][key].get<double>(), 0.0) << key;
   for (const char* key : {"mesh", "frame", "tables"}) EXPECT_GT(stats["bytes"][key].get<double>(), 0.0) << key;
+  for (const char* key :
+       {"host_mesh", "host_adjacency", "mesh", "topology", "order", "lists", "tables", "process_peak"})
+    EXPECT_GT(stats["bytes_per_tet"][key].get<double>(), 0.0) << key;
   EXPECT_EQ(stats["width"], 32);
   EXPECT_GT(stats["drawn_tets"].get<int>(), 0);
 }
