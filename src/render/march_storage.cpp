@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <glm/vec4.hpp>
+#include <span>
 #include <vector>
 
 #include "base/parallel.h"
@@ -28,13 +29,14 @@ std::uint32_t enlarged(std::uint32_t capacity, std::uint32_t wanted, bool isLast
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(more, isLastResort ? 0xfffffffeu : kMost));
 }
 
-std::vector<glm::vec4> listRests(const TetMesh& mesh, const MeshSpace& space, bool isWanted) {
-  std::vector<glm::vec4> rests(isWanted ? mesh.pointCount() : 1, glm::vec4(0.0f));
-  if (!isWanted) return rests;
-  parallelFor(rests.size(), kGrain, [&](size_t begin, size_t end, unsigned) {
-    for (size_t i = begin; i < end; i++) rests[i] = glm::vec4(space.positionRest(mesh.point(i)), 0.0f);
+gpu::Buffer makeRestBuffer(const gpu::Context& context, const TetMesh& mesh, const MeshSpace& space) {
+  constexpr const char* kName = "vertex rests";
+  if (!context.info().hasFloat64) return gpu::makeBuffer(context, std::vector<glm::vec4>(1), kName);
+  return gpu::makeBuffer<glm::vec4>(context, mesh.pointCount(), kName, [&](std::span<glm::vec4> rests, size_t first) {
+    parallelFor(rests.size(), kGrain, [&](size_t begin, size_t end, unsigned) {
+      for (size_t i = begin; i < end; i++) rests[i] = glm::vec4(space.positionRest(mesh.point(first + i)), 0.0f);
+    });
   });
-  return rests;
 }
 
 }  // namespace
@@ -43,7 +45,7 @@ MarchStorage::MarchStorage(const gpu::Context& context, const TetMesh& mesh, con
                            const Adjacency& adjacency)
     : context_(context),
       topology_(context, mesh, adjacency),
-      restBuffer_(gpu::makeBuffer(context, listRests(mesh, space, context.info().hasFloat64), "vertex rests")),
+      restBuffer_(makeRestBuffer(context, mesh, space)),
       restView_(context, restBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT),
       view_(context, sizeof(shared::FrameView), MemoryKind::Device, "frame view"),
       counts_(context, sizeof(MarchCounts), MemoryKind::Device, "march counts") {}

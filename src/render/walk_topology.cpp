@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <vector>
 
 #include "base/parallel.h"
+#include "mesh/vertex_buckets.h"
 
 namespace tetralux::render {
 namespace {
@@ -19,21 +21,22 @@ std::uint32_t vertexXor(const TetMesh& mesh, std::uint32_t cell) {
 
 using Across = std::array<std::uint32_t, 2>;
 
-std::vector<std::array<Across, 4>> listAcross(const TetMesh& mesh, const Adjacency& adjacency) {
-  std::vector<std::array<Across, 4>> across(mesh.cellCount());
-  parallelFor(mesh.cellCount(), kGrain, [&](size_t begin, size_t end, unsigned) {
-    for (size_t i = begin; i < end; i++) {
-      const auto cell = static_cast<std::uint32_t>(i);
-      auto sorted = mesh.cells[cell];
-      std::sort(sorted.begin(), sorted.end());
-      for (size_t k = 0; k < 4; k++) {
-        const std::uint32_t next = adjacency.neighbors[cell][k];
-        const std::uint32_t face = vertexXor(mesh, cell) ^ sorted[k];
-        across[cell][k] = {next, next == kNoCell ? 0 : vertexXor(mesh, next) ^ face};
-      }
-    }
-  });
-  return across;
+gpu::Buffer makeAcrossBuffer(const gpu::Context& context, const TetMesh& mesh, const Adjacency& adjacency) {
+  using CellAcross = std::array<Across, 4>;
+  return gpu::makeBuffer<CellAcross>(
+      context, mesh.cellCount(), "walk topology", [&](std::span<CellAcross> across, size_t first) {
+        parallelFor(across.size(), kGrain, [&](size_t begin, size_t end, unsigned) {
+          for (size_t i = begin; i < end; i++) {
+            const auto cell = static_cast<std::uint32_t>(first + i);
+            const CellVertices sorted = sortedVertices(mesh.cells[cell]);
+            for (size_t k = 0; k < 4; k++) {
+              const std::uint32_t next = adjacency.neighbors[cell][k];
+              const std::uint32_t face = vertexXor(mesh, cell) ^ sorted[k];
+              across[i][k] = {next, next == kNoCell ? 0 : vertexXor(mesh, next) ^ face};
+            }
+          }
+        });
+      });
 }
 
 // Four times the cell, plus the place among its vertices in ascending order of the one that the face does not have.
@@ -57,7 +60,7 @@ std::vector<std::array<std::uint32_t, 4>> listBoundary(const TetMesh& mesh, cons
 
 WalkTopology::WalkTopology(const gpu::Context& context, const TetMesh& mesh, const Adjacency& adjacency)
     : boundaryCount_(static_cast<std::uint32_t>(adjacency.boundary.size())),
-      acrossBuffer_(gpu::makeBuffer(context, listAcross(mesh, adjacency), "walk topology")),
+      acrossBuffer_(makeAcrossBuffer(context, mesh, adjacency)),
       boundaryBuffer_(gpu::makeBuffer(context, listBoundary(mesh, adjacency), "walk boundary")),
       acrossView_(context, acrossBuffer_, VK_FORMAT_R32G32_UINT),
       boundaryView_(context, boundaryBuffer_, VK_FORMAT_R32G32B32A32_UINT) {}

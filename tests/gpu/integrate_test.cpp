@@ -98,8 +98,9 @@ TEST_F(GpuTest, IntegralOfEqualColorsIsColorTimesOpacity) {
   std::vector<Segment> segments;
   for (int i = 0; i < 2000; i++) segments.push_back({uniform(random), uniform(random), 10 * uniform(random)});
   for (const glm::vec4& result : integrateOnDevice(context(), transfer, segments)) {
-    EXPECT_NEAR(result.x, 0.3f * result.w, 3e-7f);
-    EXPECT_NEAR(result.z, 0.9f * result.w, 3e-7f);
+    // Sums of up to twenty parts, in roundings of 6e-8; devices may fuse products and sums or not.
+    EXPECT_NEAR(result.x, 0.3f * result.w, 6e-7f);
+    EXPECT_NEAR(result.z, 0.9f * result.w, 6e-7f);
     EXPECT_GE(result.w, 0.0f);
     EXPECT_LE(result.w, 1.0f);
   }
@@ -115,7 +116,9 @@ TEST_F(GpuTest, EmissionPerLengthIsAccurateForAllOpticalDepths) {
           std::pair(1e-6, 1.0), std::pair(0.3, 0.7), std::pair(0.7, 0.3), std::pair(0.5, 0.5 + 1e-6)})
       segments.push_back({front, back, length});
   }
-  EXPECT_LE(largestRelativeError(context(), glow, segments), 1e-5);
+  // The transmittance is a product over some sixty parts, with divisions of up to 2.5 units in the last place each (Vulkan's
+  // precision of operations): 1.6e-5 on NVIDIA's H200, less on lavapipe.
+  EXPECT_LE(largestRelativeError(context(), glow, segments), context().info().isCpu ? 1e-5 : 2.5e-5);
 }
 
 TEST_F(GpuTest, EmissionPerLengthIsAccurateForRandomSegments) {

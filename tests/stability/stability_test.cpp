@@ -25,17 +25,22 @@ constexpr double kSlackLargest = 1e-4;
 struct KnownMiss {
   const char* region;
   const char* method;
+  bool isEverywhere = true;  // or only on other devices than the recorded one
 };
 constexpr KnownMiss kKnownMisses[] = {
     {"degenerate parallel", "projection pt"},    {"degenerate parallel", "projection silhouette"},
     {"degenerate parallel", "projection gator"}, {"slivers 1e-5", "projection pt"},
     {"slivers 1e-5", "projection silhouette"},   {"slivers 1e-5", "projection gator"},
     {"slivers 1e-7", "projection pt"},           {"slivers 1e-7", "projection silhouette"},
-    {"slivers 1e-7", "projection gator"}};
+    {"slivers 1e-7", "projection gator"},
+    // Most likely clipped by planes whose products a device fuses; seen on NVIDIA's H200.
+    {"edge-on slivers 1e-7", "projection pt", false},
+    {"edge-on slivers 1e-7", "projection gator", false}};
 
-bool isKnownMiss(const Outcome& o) {
-  return std::any_of(std::begin(kKnownMisses), std::end(kKnownMisses),
-                     [&](const KnownMiss& k) { return o.region == k.region && o.method == k.method; });
+bool isKnownMiss(const Outcome& o, bool isRecordedDevice) {
+  return std::any_of(std::begin(kKnownMisses), std::end(kKnownMisses), [&](const KnownMiss& k) {
+    return o.region == k.region && o.method == k.method && (k.isEverywhere || !isRecordedDevice);
+  });
 }
 
 // Strict methods, and of the others those whose turn it is in this region.
@@ -70,14 +75,14 @@ TEST_P(Stability, OfRegion) {
   for (size_t i = 0; i < chosen.size(); i++) {
     const Outcome& o = outcomes[i];
     if (chosen[i].isStrict && o.applies) {
-      if (isKnownMiss(o) && !isRecordedDevice) continue;
-      if (isKnownMiss(o))
+      if (isKnownMiss(o, isRecordedDevice) && !isRecordedDevice) continue;
+      if (isKnownMiss(o, isRecordedDevice))
         EXPECT_FALSE(o.keepsLimits()) << o.region << ", " << o.method << ": mended, so no known miss any more";
       else
         EXPECT_TRUE(o.keepsLimits()) << o.region << ", " << o.method << ", " << o.worstCase << ": RMSE " << o.rmse
                                      << ", largest " << o.largest << ", not finite " << o.nonFinite;
     }
-    if ((chosen[i].isStrict && !isKnownMiss(o)) || !isRecordedDevice) continue;
+    if ((chosen[i].isStrict && !isKnownMiss(o, isRecordedDevice)) || !isRecordedDevice) continue;
     const auto known = std::find_if(recorded.begin(), recorded.end(),
                                     [&](const Outcome& r) { return r.region == o.region && r.method == o.method; });
     ASSERT_NE(known, recorded.end()) << o.region << ", " << o.method << ": not in " << TETRALUX_STABILITY_TABLE;
