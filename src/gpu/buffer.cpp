@@ -17,6 +17,7 @@ std::uint64_t bytesPerTexel(VkFormat format) {
   switch (format) {
     case VK_FORMAT_R8_UINT:
       return 1;
+    case VK_FORMAT_R32G32_SFLOAT:
     case VK_FORMAT_R32G32_UINT:
       return 8;
     case VK_FORMAT_R32_UINT:

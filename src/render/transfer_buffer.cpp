@@ -56,11 +56,15 @@ void addTexels(const DevicePiece& p, std::vector<glm::vec4>& texels) {
 
 // The ends of all pieces, those that two pieces share once.
 void listPoints(const std::vector<DevicePiece>& pieces, TransferTables& tables) {
+  float last = -kFarAway;
   const auto add = [&](float scalar, const OpticalSample& sample) {
     const glm::vec4 point(glm::vec3(sample.luminance), static_cast<float>(sample.extinction));
-    if (!tables.points.empty() && tables.pointScalars.back() == scalar && tables.points.back() == point) return;
+    if (!tables.points.empty()) {
+      if (last == scalar && tables.points.back() == point) return;
+      tables.pointScalars.emplace_back(last, scalar);
+    }
     tables.points.push_back(point);
-    tables.pointScalars.push_back(scalar);
+    last = scalar;
   };
   for (const DevicePiece& p : pieces) {
     add(p.low, p.atLow);
@@ -158,7 +162,7 @@ TransferBuffer::TransferBuffer(const gpu::Context& context, const TransferTables
       pieceView_(context, pieceBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT),
       binView_(context, binBuffer_, VK_FORMAT_R32_UINT),
       pointView_(context, pointBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT),
-      pointScalarView_(context, pointScalarBuffer_, VK_FORMAT_R32_SFLOAT),
+      pointScalarView_(context, pointScalarBuffer_, VK_FORMAT_R32G32_SFLOAT),
       extinctionView_(context, extinctionBuffer_, VK_FORMAT_R32_SFLOAT),
       supportView_(context, supportBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT) {}
 

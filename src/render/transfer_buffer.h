@@ -17,7 +17,7 @@ struct TransferTables {
   std::vector<glm::vec4> pieces;         // TRANSFER_PIECE_TEXELS per piece
   std::vector<std::uint32_t> pieceBins;  // two per bin: the pieces at its low and high end
   std::vector<glm::vec4> points;         // luminance, extinction at control points; a step is two of one scalar
-  std::vector<float> pointScalars;       // ascending, from -1e30 to 1e30
+  std::vector<glm::vec2> pointScalars;   // of each point and the next; ascending, from -1e30 to 1e30
   std::vector<float> largestExtinction;  // EXTINCTION_LEVELS x TRANSFER_BINS, per mesh unit; or emission, if larger
   std::vector<glm::vec4> support;        // xy: open intervals of scalars inside which there is extinction or emission
 };

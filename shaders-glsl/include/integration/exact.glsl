@@ -28,7 +28,9 @@ float relativeOpacity(float m) {
   if (kPartAccuracy == PART_COARSE) return 0.998891234 + m * (-0.48128441 + m * 0.115214661);
   if (kPartAccuracy == PART_MEDIUM) return 0.999945521 + m * (-0.498362511 + m * (0.158553019 + m * -0.0280499086));
   if (kPartAccuracy == PART_FINE) return 0.999996251 + m * (-0.499768514 + m * (0.164367534 + m * -0.0341450334));
-  return 0.999999922 + m * (-0.499992483 + m * (0.166548037 + m * (-0.0410009707 + m * 0.00677075985)));
+  // In two halves (Estrin 1960), which are computed side by side.
+  const float squared = m * m;
+  return (0.999999922 + m * -0.499992483) + squared * ((0.166548037 + m * -0.0410009707) + squared * 0.00677075985);
 }
 
 // V = Psi - zeta for optical depths a (back) and b (front) with (a + b)/2 <= kLargestPartDepth: polynomials fitted to the exact
@@ -61,13 +63,18 @@ float lengthMoment(float a, float b) {
   return p0 + b * (p1 + b * (p2 + b * (p3 + b * (p4 + b * -4.6314453e-05))));
 }
 
-// How much of a part is kept where its optical depth would become too large for the polynomials: the share k at which
-// e0 k + (e1 - e0) k^2/2, with e = extinction times length, reaches the limit. 1 for a part that need not be cut. (A bound without
-// the root would do for small depths, but takes as many parts as the depth where extinction rises from nothing.)
+// A square root, at most 7 % too large, and an inverse, at most 24 % too small, by the exponents' bits (Blinn 1997): a few instructions
+// instead of two that take ten times as long.
+float roughRoot(float x) { return 1.036 * uintBitsToFloat((floatBitsToUint(x) >> 1) + 0x1fbd1df5u); }
+float roughInverse(float x) { return 0.88 * uintBitsToFloat(0x7ef311c7u - floatBitsToUint(x)); }
+
+// How much of a part is kept where its optical depth would become too large for the polynomials: at most the share k at which
+// e0 k + (e1 - e0) k^2/2, with e = extinction times length, reaches the limit. 1 for a part that need not be cut.
 float keptShare(float extinction0, float extinction1, float part) {
-  const float e0 = extinction0 * part;
-  const float root = sqrt(max(0.0, e0 * e0 + 2.0 * kLargestPartDepth * (extinction1 * part - e0)));
-  return min(1.0, 2.0 * kLargestPartDepth / max(e0 + root, 1e-30));
+  const float e0 = min(extinction0 * part, 1e18);
+  const float change = min(extinction1 * part, 1e18) - e0;
+  const float root = roughRoot(max(0.0, e0 * e0 + 2.0 * kLargestPartDepth * change));
+  return e0 + 0.5 * change > kLargestPartDepth ? 2.0 * kLargestPartDepth * roughInverse(e0 + root) : 1.0;
 }
 
 // Composites a part on which extinction and luminance are linear behind light and opacity.

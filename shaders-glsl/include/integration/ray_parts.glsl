@@ -9,6 +9,7 @@
 
 // Control points in ascending order; a step is two of the same scalar. The first and the last are at -1e30 and 1e30.
 layout(binding = TRANSFER_POINTS) uniform samplerBuffer transferPoints;              // luminance, extinction
+// Texel i: the scalars of points i and i + 1.
 layout(binding = TRANSFER_POINT_SCALARS) uniform samplerBuffer transferPointScalars;
 
 struct RayParts {
@@ -17,12 +18,13 @@ struct RayParts {
   float thickness;  // from here to there, mesh units
   vec4 optics;      // luminance, extinction here
   int interval;     // between control points i and i + 1
+  vec2 ends;        // their scalars: fetched early, because which cell comes next waits for them
 };
 
 // Index of the last control point that is not above a scalar.
 int intervalOf(float scalar) {
   int low = 0;
-  int high = textureSize(transferPointScalars) - 1;
+  int high = textureSize(transferPointScalars);
   for (int round = 0; round < 32; round++) {
     if (high - low <= 1) break;
     const int middle = (low + high) / 2;
@@ -34,11 +36,10 @@ int intervalOf(float scalar) {
 }
 
 RayParts beginRay(float scalar, float back, float thickness) {
-  RayParts ray = RayParts(scalar, back, thickness, vec4(0.0), intervalOf(scalar));
-  const float low = texelFetch(transferPointScalars, ray.interval).x;
-  const float high = texelFetch(transferPointScalars, ray.interval + 1).x;
+  RayParts ray = RayParts(scalar, back, thickness, vec4(0.0), intervalOf(scalar), vec2(0.0));
+  ray.ends = texelFetch(transferPointScalars, ray.interval).xy;
   ray.optics = mix(texelFetch(transferPoints, ray.interval), texelFetch(transferPoints, ray.interval + 1),
-                   clamp((scalar - low) / (high - low), 0.0, 1.0));
+                   clamp((scalar - ray.ends.x) / (ray.ends.y - ray.ends.x), 0.0, 1.0));
   return ray;
 }
 
@@ -48,7 +49,7 @@ bool walkRayPart(inout RayParts ray, inout vec3 light, inout float opacity, inou
   const float rise = ray.back - ray.scalar;
   const bool rising = rise >= 0.0;
   const int ahead = rising ? ray.interval + 1 : ray.interval;
-  const float scalarAhead = texelFetch(transferPointScalars, ahead).x;
+  const float scalarAhead = rising ? ray.ends.y : ray.ends.x;
   const vec4 opticsAhead = texelFetch(transferPoints, ahead);
 
   // A cell of one scalar, on a control point: what comes after it counts.
@@ -72,5 +73,6 @@ bool walkRayPart(inout RayParts ray, inout vec3 light, inout float opacity, inou
   ray.scalar = isCut ? ray.scalar + towards * toAhead : isLast ? ray.back : scalarAhead;
   ray.thickness -= part;
   if (!isCut && !isLast) ray.interval = rising ? ray.interval + 1 : ray.interval - 1;
+  ray.ends = texelFetch(transferPointScalars, ray.interval).xy;
   return isLast && !isCut;
 }

@@ -147,10 +147,12 @@ void main() {
     bool isOvertaken = segment.rank > nextRank;
     for (uint round = 0; round < MARCH_LAST_ROUND; round++) {
       if (isOvertaken) break;
+      // Of what lies in front of this part: its own opacity comes too late to be waited for.
+      const bool isOpaque = isWalkOpaque(color.a, clearness);
       const bool isLast = kIsCarried ? walkRayPart(carried, color.rgb, color.a, clearness)
                                      : gather(parts, color.rgb, color.a, clearness);
       rounds++;
-      isThrough = (isLast && next.cell == NO_CELL) || isWalkOpaque(color.a, clearness);
+      isThrough = (isLast && next.cell == NO_CELL) || isOpaque;
       if (isThrough || (isLast && rounds >= kRounds)) break;
       if (isLast) {
         at = next;

@@ -33,8 +33,9 @@ TEST(TransferTables, PiecesAreTheTransferFunctionInTheDevicesUnits) {
 TEST(TransferTables, PointsAreTheEndsOfAllPiecesOnceEach) {
   const TransferFunction transfer({{0, {1, 0, 0}, 1}, {0.5, {0, 1, 0}, 2}, {0.5, {0, 0, 1}, 7}, {1, {}, 9}}, "t");
   const TransferTables tables = makeTransferTables(transfer, space(0, 1));
-  EXPECT_EQ(tables.pointScalars, (std::vector<float>{-1e30f, -0.5f, 0.0f, 0.0f, 0.5f, 1e30f}));
-  ASSERT_EQ(tables.points.size(), tables.pointScalars.size());
+  const std::vector<glm::vec2> expected = {{-1e30f, -0.5f}, {-0.5f, 0.0f}, {0.0f, 0.0f}, {0.0f, 0.5f}, {0.5f, 1e30f}};
+  EXPECT_EQ(tables.pointScalars, expected);
+  ASSERT_EQ(tables.points.size(), expected.size() + 1);
   EXPECT_EQ(tables.points[0], tables.points[1]);
   EXPECT_EQ(tables.points[2], glm::vec4(0, 1, 0, 2));  // below the step
   EXPECT_EQ(tables.points[3], glm::vec4(0, 0, 1, 7));  // above it
