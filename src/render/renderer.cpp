@@ -1,5 +1,7 @@
 #include "render/renderer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "base/check.h"
@@ -207,6 +209,12 @@ FrameStats Renderer::draw(const Camera& camera, ImageSize size, const RenderOpti
   stats.order = drawInto(recorder, camera, size, integration, output, target, checkOrder_);
 
   stats.doublePrecision = lastDoublePrecision_;
+  if (stats.plan && marchPass_)
+    stats.plan->decisions.push_back(
+        {"precision", lastDoublePrecision_ ? "double" : "single",
+         fmt::format("single precision misses crossings by {:.1g} mesh units; extinction is up to {:.3g} per mesh unit",
+                     kCrossingRounding, static_cast<double>(transfer_->largest())),
+         kCrossingRounding * static_cast<double>(transfer_->largest())});
   shared::FrameCounters counters{};
   if (storage_) gpu::download(context_, storage_->counters, &counters, sizeof counters);
   stats.drawnCells = counters.drawn;

@@ -68,6 +68,24 @@ RegionCases narrowPeaks() {
   return {{{"outside", mesh, transfer, outside(mesh)}, {"inside", mesh, transfer, inside(mesh)}}, {}};
 }
 
+// Light per unit of length, without any extinction and with some.
+RegionCases emissionPerLength() {
+  RegionCases cases;
+  const TetMesh mesh = unitMesh();
+  const auto add = [&](const char* name, double light, double extinction) {
+    const TransferFunction glow({{0.0, {0.0, 0.2 * light, light}, extinction},
+                                 {0.4, {light, 0.0, 0.1 * light}, 0.0},
+                                 {0.6, {0.3 * light, light, 0.0}, 0.5 * extinction},
+                                 {1.0, {0.0, 0.0, light}, 0.1 * extinction}},
+                                "glow", Emission::PerLength);
+    cases.pictures.push_back({std::string(name) + ", outside", mesh, glow, outside(mesh)});
+    cases.pictures.push_back({std::string(name) + ", inside", mesh, glow, inside(mesh)});
+  };
+  add("light alone", 0.7, 0.0);
+  add("ordinary", 2.0, 3.0);
+  return cases;
+}
+
 }  // namespace
 
 std::vector<Region> scalarRegions() {
@@ -83,7 +101,8 @@ std::vector<Region> scalarRegions() {
           {"wide range", "scalars over a range of 1e12", wideRanges},
           {"constant field", "one scalar everywhere, on a slope and on a step", constantField},
           {"steps", "a transfer function of steps", steps},
-          {"narrow peaks", "peaks 1e-4 of the range wide", narrowPeaks}};
+          {"narrow peaks", "peaks 1e-4 of the range wide", narrowPeaks},
+          {"emission per length", "light per unit of length, with and without extinction", emissionPerLength}};
 }
 
 }  // namespace tetralux::stability

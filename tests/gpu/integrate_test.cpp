@@ -106,6 +106,27 @@ TEST_F(GpuTest, IntegralOfEqualColorsIsColorTimesOpacity) {
   }
 }
 
+// What a segment hides does not depend on the side it is seen from.
+TEST_F(GpuTest, TurnedSegmentsAreAsOpaque) {
+  const TransferFunction transfer({{0, {0.3, 0.6, 0.9}, 0.1}, {0.4, {0.9, 0.1, 0.2}, 7}, {1, {0.1, 0.8, 0.4}, 0}}, "t");
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::vector<Segment> segments;
+  std::vector<Segment> turned;
+  for (int i = 0; i < 2000; i++) {
+    segments.push_back({uniform(random), uniform(random), 10 * uniform(random)});
+    turned.push_back({segments.back().back, segments.back().front, segments.back().length});
+  }
+  const auto exact = integrateOnDevice(context(), transfer, segments);
+  const auto exactTurned = integrateOnDevice(context(), transfer, turned);
+  const auto linear = integrateOnDevice(context(), transfer, segments, Integration::Linear);
+  const auto linearTurned = integrateOnDevice(context(), transfer, turned, Integration::Linear);
+  for (size_t i = 0; i < segments.size(); i++) {
+    EXPECT_NEAR(exact[i].w, exactTurned[i].w, 1e-6f) << i;  // composited from the other end
+    EXPECT_EQ(linear[i].w, linearTurned[i].w) << i;         // one closed form
+  }
+}
+
 TEST_F(GpuTest, EmissionPerLengthIsAccurateForAllOpticalDepths) {
   const TransferFunction glow(ramp().points(), "glow", Emission::PerLength);
   std::vector<Segment> segments;
