@@ -183,6 +183,18 @@ void CommandBuffer::copyToBuffer(const AttachmentImage& image, const Buffer& buf
                access::kTransferRead, access::kColorWrite);
 }
 
+void CommandBuffer::copyToAttachment(const Buffer& buffer, const AttachmentImage& image, Rows rows) {
+  imageBarrier(image.get(), VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+               access::kColorWrite, access::kTransferWrite);
+  VkBufferImageCopy region{};
+  region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+  region.imageOffset = {0, static_cast<std::int32_t>(rows.first), 0};
+  region.imageExtent = {image.width(), rows.count, 1};
+  vkCmdCopyBufferToImage(commands_, buffer.get(), image.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+  imageBarrier(image.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+               access::kTransferWrite, access::kColorWrite);
+}
+
 void CommandBuffer::copy(const Buffer& from, std::uint64_t fromOffset, const Buffer& to, std::uint64_t toOffset,
                          std::uint64_t bytes) {
   const VkBufferCopy region{fromOffset, toOffset, bytes};

@@ -126,6 +126,8 @@ class CommandBuffer {
   void prepareSampling(const AttachmentImage& image);
   // Copies a whole attachment to a buffer, tightly packed, row 0 first. The attachment is ready for rendering again.
   void copyToBuffer(const AttachmentImage& image, const Buffer& buffer);
+  // The other way: some rows of an attachment that is ready for rendering, from a buffer of their pixels.
+  void copyToAttachment(const Buffer& buffer, const AttachmentImage& image, Rows rows);
   void copy(const Buffer& from, std::uint64_t fromOffset, const Buffer& to, std::uint64_t toOffset,
             std::uint64_t bytes);
   void fill(const Buffer& buffer, std::uint32_t value);

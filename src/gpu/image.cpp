@@ -21,7 +21,7 @@ AttachmentImage::AttachmentImage(const Context& context, std::uint32_t width, st
   info.arrayLayers = 1;
   info.samples = VK_SAMPLE_COUNT_1_BIT;
   info.tiling = VK_IMAGE_TILING_OPTIMAL;
-  info.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+  info.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
   if (isSampled) info.usage |= VK_IMAGE_USAGE_SAMPLED_BIT;
   VkImage image = VK_NULL_HANDLE;
   VK_CHECK(vkCreateImage(context.device(), &info, nullptr, &image));

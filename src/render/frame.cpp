@@ -218,7 +218,8 @@ void marchFrame(gpu::Recorder& recorder, const FrameInputs& inputs, MarchPass& p
     gpu::CommandBuffer& commands = recorder.pass("march");
     if (row == 0) commands.prepareAttachment(target);
     pass.recordShow(commands, storage, band, target, /*clear=*/row == 0);
-    commands.barrier(kVertexRead | kFragmentReadWrite | kColorWrite, kTransferWrite | kComputeReadWrite | kColorWrite);
+    commands.barrier(kVertexRead | kFragmentReadWrite | kColorWrite | kTransferRead | kTransferWrite,
+                     kTransferWrite | kComputeReadWrite | kColorWrite);
     row += band.rowCount;
   }
   recorder.sync();

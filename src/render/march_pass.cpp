@@ -109,11 +109,15 @@ void MarchPass::recordMarch(gpu::CommandBuffer& commands, const FrameVariant& va
        storage.counts(), tables.numbers(), tables.table2d(), tables.table3d(), transfer.points(),
        transfer.pointScalars(), storage.walkTiles(), storage.vertexRests()},
       push, storage.counts(), kWalkTiles);
-  commands.barrier(kComputeReadWrite, kComputeReadWrite | kTransferWrite | kVertexRead);
+  commands.barrier(kComputeReadWrite, kComputeReadWrite | kTransferRead | kTransferWrite | kVertexRead);
 }
 
 void MarchPass::recordShow(gpu::CommandBuffer& commands, const MarchStorage& storage, const shared::PixelBand& band,
                            const gpu::AttachmentImage& target, bool clear) {
+  if (target.format() == VK_FORMAT_R32G32B32A32_SFLOAT) {
+    commands.copyToAttachment(storage.colors(), target, {band.firstRow, band.rowCount});
+    return;
+  }
   commands.beginRendering(target, clear, {band.firstRow, band.rowCount});
   commands.draw(showPipeline(target.format()), {storage.colorsView()}, band, 3);
   commands.endRendering();

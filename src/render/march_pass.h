@@ -38,7 +38,7 @@ class MarchPass {
                    const TransferBuffer& transfer, const IntegrationTables& tables, const MarchStorage& storage,
                    const shared::PixelBand& band);
 
-  // Writes a band's colours into the target.
+  // Writes a band's colours into the target: copies them where it holds the same numbers, draws them where it rounds.
   void recordShow(gpu::CommandBuffer& commands, const MarchStorage& storage, const shared::PixelBand& band,
                   const gpu::AttachmentImage& target, bool clear);
 
