@@ -169,6 +169,7 @@ TEST_F(Commands, BenchPrintsAnArrayWithAnObjectPerScene) {
   EXPECT_EQ(all[0]["frames"], 2);
   EXPECT_GT(all[0]["ms"]["frame"].get<double>(), 0.0);
   EXPECT_GT(all[0]["check"]["pixels"].get<int>(), 500);
+  EXPECT_GT(all[0]["transfer_ms"].get<double>(), 0.0);
 }
 
 TEST_F(Commands, BenchMeasuresFloors) {
