@@ -60,12 +60,12 @@ void DeviceOptions::add(CLI::App& app) {
       ->check(CLI::IsMember(render::interpolationNames()));
   app.add_option("--tolerance", tolerance,
                  "Largest error per pixel and channel, such as 0.002 or 1/510: draw as cheaply as is known to keep it "
-                 "(default: as exactly as single precision can)")
+                 "(default: integrated exactly, up to rounding)")
       ->type_name("E");
   addTable(app);
   app.add_option("--force-path", forcePath, "For tests: take a code path that this device would not choose")
-      ->check(CLI::IsMember({"wide-addressing", "sort-tiles", "sort-chunks", "table-fetch", "snap-vertices", "walk-single",
-                             "walk-double"}));
+      ->check(CLI::IsMember({"wide-addressing", "sort-tiles", "sort-chunks", "table-fetch", "snap-vertices",
+                             "walk-single", "walk-double"}));
 }
 
 void DeviceOptions::addDevice(CLI::App& app) {

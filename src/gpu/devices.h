@@ -22,10 +22,10 @@ struct DeviceInfo {
   std::uint64_t largestTexelBuffer = 0;        // elements, maxTexelBufferElements
   std::uint32_t largestImageSide = 0;          // pixels
   std::uint32_t subgroupSize = 0;
-  bool hasFloat64 = false;  // double precision in shaders
+  bool hasFloat64 = false;         // double precision in shaders
   std::uint32_t subpixels = 0;     // steps per pixel to which vertices are snapped
   std::uint32_t subtexelBits = 0;  // of a sampler's fractions between texels
-  std::string missing;  // what it lacks for tetralux, or empty when it can be used
+  std::string missing;             // what it lacks for tetralux, or empty when it can be used
 };
 
 // What a device must offer: the one list of it.

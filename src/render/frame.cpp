@@ -124,7 +124,8 @@ void drawApart(Frame& frame, const CellSequence& sequence, SlotSpan slots) {
   }
 }
 
-// Runs the recorder with work that counts the rays it does not finish, again and again until there are none. Returns the counts.
+// Runs the recorder with work that counts the rays it does not finish, again and again until there are none. Returns
+// the counts.
 template <typename Record>
 shared::MarchCounts untilThrough(gpu::Recorder& recorder, const FrameInputs& inputs, const MarchStorage& storage,
                                  const char* pass, const Record& record) {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "render/mesh_space.h"
-#include "shared/frame_view.h"
 #include "shared/cell_push.h"
+#include "shared/frame_view.h"
 #include "view/camera.h"
 
 namespace tetralux::render {

@@ -15,16 +15,16 @@ constexpr size_t kGrain = 1 << 16;
 gpu::Buffer makeVertexBuffer(const gpu::Context& context, const TetMesh& mesh, const ScalarField& field,
                              const MeshSpace& space) {
   const bool hasScalar = field.association == FieldAssociation::Point;
-  return gpu::makeBuffer<glm::vec4>(
-      context, mesh.pointCount(), "mesh vertices", [&](std::span<glm::vec4> vertices, size_t first) {
-        parallelFor(vertices.size(), kGrain, [&](size_t begin, size_t end, unsigned) {
-          for (size_t i = begin; i < end; i++) {
-            const size_t point = first + i;
-            vertices[i] =
-                glm::vec4(space.roundedPosition(mesh.point(point)), hasScalar ? space.scalar(field.values[point]) : 0.0f);
-          }
-        });
-      });
+  return gpu::makeBuffer<glm::vec4>(context, mesh.pointCount(), "mesh vertices",
+                                    [&](std::span<glm::vec4> vertices, size_t first) {
+                                      parallelFor(vertices.size(), kGrain, [&](size_t begin, size_t end, unsigned) {
+                                        for (size_t i = begin; i < end; i++) {
+                                          const size_t point = first + i;
+                                          vertices[i] = glm::vec4(space.roundedPosition(mesh.point(point)),
+                                                                  hasScalar ? space.scalar(field.values[point]) : 0.0f);
+                                        }
+                                      });
+                                    });
 }
 
 // Vertices in ascending order: a cell is a set of points, and two cells that share a face then name it alike.

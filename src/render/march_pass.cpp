@@ -69,7 +69,8 @@ void MarchPass::recordEnter(gpu::CommandBuffer& commands, const FrameVariant& va
                      storage.jobs(), storage.tileMarks(), storage.walkTiles(), storage.counts()},
                     binPush, topology.boundaryCount());
   commands.barrier(kComputeWrite, kComputeReadWrite | kIndirectRead);
-  const EnterPush enterPush{mesh.addresses(), storage.vertexRestAddress(), topology.boundaryAddress(), band, storage.jobCapacity()};
+  const EnterPush enterPush{mesh.addresses(), storage.vertexRestAddress(), topology.boundaryAddress(), band,
+                            storage.jobCapacity()};
   commands.dispatchIndirect(
       walk(variant).enter.get(variant.specConstants()),
       {storage.view(), mesh.cells(), mesh.vertices(), mesh.cellScalars(), topology.boundary(), topology.across(),
@@ -87,11 +88,11 @@ void MarchPass::recordEnter(gpu::CommandBuffer& commands, const FrameVariant& va
 void MarchPass::recordSeek(gpu::CommandBuffer& commands, const FrameVariant& variant, const GpuMesh& mesh,
                            const MarchStorage& storage, const shared::PixelBand& band) {
   const WalkPush push{mesh.addresses(), storage.vertexRestAddress(), storage.topology().acrossAddress(), band};
-  commands.dispatchIndirect(walk(variant).seek.get(variant.specConstants()),
-                            {storage.view(), mesh.cells(), mesh.vertices(), mesh.cellScalars(),
-                             storage.topology().across(), storage.heads(), storage.links(), storage.ranks(),
-                             storage.counts(), storage.walkTiles(), storage.vertexRests()},
-                            push, storage.counts(), kWalkTiles);
+  commands.dispatchIndirect(
+      walk(variant).seek.get(variant.specConstants()),
+      {storage.view(), mesh.cells(), mesh.vertices(), mesh.cellScalars(), storage.topology().across(), storage.heads(),
+       storage.links(), storage.ranks(), storage.counts(), storage.walkTiles(), storage.vertexRests()},
+      push, storage.counts(), kWalkTiles);
   commands.barrier(kComputeReadWrite, kComputeReadWrite | kTransferWrite);
 }
 

@@ -1,8 +1,9 @@
 // Passes "enter" and "march": rays walk through the mesh's adjacency (Weiler et al. 2003, HARC; Espinha and Celes
 // 2005).
 //
-// A picture's order is right by construction, and only cells that are hit cost anything. Where cells overlap, each layer is walked
-// by itself (the mesh is cut where it is folded, mesh/cut_folds.h), and rays change between layers from segment to segment.
+// A picture's order is right by construction, and only cells that are hit cost anything. Where cells overlap, each
+// layer is walked by itself (the mesh is cut where it is folded, mesh/cut_folds.h), and rays change between layers from
+// segment to segment.
 #pragma once
 
 #include <map>
@@ -23,8 +24,8 @@ class MarchPass {
  public:
   explicit MarchPass(const gpu::Context& context);
 
-  // Lists the faces where the rays of a band enter the mesh, near ones first, and the tiles of pixels that have any; empties the
-  // band's colours. When there was too little room (MarchStorage::grow), what follows is wrong.
+  // Lists the faces where the rays of a band enter the mesh, near ones first, and the tiles of pixels that have any;
+  // empties the band's colours. When there was too little room (MarchStorage::grow), what follows is wrong.
   void recordEnter(gpu::CommandBuffer& commands, const FrameVariant& variant, const GpuMesh& mesh,
                    const MarchStorage& storage, const shared::PixelBand& band);
 

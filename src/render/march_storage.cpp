@@ -114,8 +114,7 @@ bool MarchStorage::grow(const MarchCounts& counts) {
 
 std::uint64_t MarchStorage::sizeBytes() const {
   std::uint64_t bytes = topology_.sizeBytes() + restBuffer_.sizeBytes() + view_.sizeBytes() + counts_.sizeBytes();
-  for (const gpu::Buffer* buffer :
-       {&jobs_, &tileMarks_, &walkTiles_, &sortTiles_, &heads_, &links_, &ranks_, &colors_})
+  for (const gpu::Buffer* buffer : {&jobs_, &tileMarks_, &walkTiles_, &sortTiles_, &heads_, &links_, &ranks_, &colors_})
     bytes += buffer->sizeBytes();
   return bytes;
 }

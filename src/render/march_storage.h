@@ -13,8 +13,8 @@
 
 namespace tetralux::render {
 
-// Pictures are drawn in bands of rows. Jobs and lists start with room for what most pictures need and grow when a band ran out of
-// it: up to a limit by larger buffers, beyond by narrower bands.
+// Pictures are drawn in bands of rows. Jobs and lists start with room for what most pictures need and grow when a band
+// ran out of it: up to a limit by larger buffers, beyond by narrower bands.
 class MarchStorage {
  public:
   //   adjacency   without folds (mesh/cut_folds.h); neither it nor the mesh need outlive the call
@@ -31,13 +31,13 @@ class MarchStorage {
   // The same for the number of rays that are not through.
   void recordClearUnfinished(gpu::CommandBuffer& commands) const;
 
-  // After the work is done: whether the band had more to store than there was room for. If so there is room for more now, and the
-  // band (which may be another) has to be done again. Throws Error(Device) when there is no memory.
+  // After the work is done: whether the band had more to store than there was room for. If so there is room for more
+  // now, and the band (which may be another) has to be done again. Throws Error(Device) when there is no memory.
   bool grow(const shared::MarchCounts& counts);
 
-  ImageSize size() const { return size_; }
   const WalkTopology& topology() const { return topology_; }
-  // What single precision leaves of the vertices' positions, vec4 each; one of zeros where the device has no double precision.
+  // What single precision leaves of the vertices' positions, vec4 each; one of zeros where the device has no double
+  // precision.
   const gpu::TexelView& vertexRests() const { return restView_; }
   VkDeviceAddress vertexRestAddress() const { return restBuffer_.address(); }
   const gpu::Buffer& view() const { return view_; }      // FrameView

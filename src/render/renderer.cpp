@@ -123,9 +123,9 @@ void Renderer::prepareTables(Integration integration, const TableOptions& option
   built_ = wanted;
 }
 
-OrderReport Renderer::drawInto(gpu::Recorder& recorder, const Camera& camera, ImageSize size,
-                               const IntegrationVariant& integration, std::uint32_t output, const FrameTarget& target,
-                               bool checkOrder) {
+Renderer::Drawn Renderer::drawInto(gpu::Recorder& recorder, const Camera& camera, ImageSize size,
+                                   const IntegrationVariant& integration, std::uint32_t output,
+                                   const FrameTarget& target, bool checkOrder) {
   const FrameSetup setup =
       makeFrameSetup(camera, size, mesh_.space(), mesh_.cellCount(), transfer_->supportCount(), kCentroidKeyBits);
   gpu::upload(context_, marchPass_ ? marchStorage_->view() : storage_->view, &setup.view, sizeof setup.view);
@@ -143,12 +143,14 @@ OrderReport Renderer::drawInto(gpu::Recorder& recorder, const Camera& camera, Im
   variant.integration = integration;
   variant.output = output;
   const FrameInputs inputs{context_, mesh_, *transfer_, *tables_, setup, variant, size, checkOrder};
-  if (!marchPass_) return drawFrame(recorder, inputs, *passes_, *order_, *storage_, target);
-  marchFrame(recorder, inputs, *marchPass_, *marchStorage_, target.picture);
-  lastDoublePrecision_ = variant.doublePrecision;
-  OrderReport report;
-  report.order = Order::Exact;
-  return report;
+  Drawn drawn{{}, variant.doublePrecision, setup.smallestPixel};
+  if (marchPass_) {
+    marchFrame(recorder, inputs, *marchPass_, *marchStorage_, target.picture);
+    drawn.order.order = Order::Exact;
+  } else {
+    drawn.order = drawFrame(recorder, inputs, *passes_, *order_, *storage_, target);
+  }
+  return drawn;
 }
 
 bool Renderer::usesDoublePrecision(const FrameSetup& setup) const {
@@ -206,14 +208,17 @@ FrameStats Renderer::draw(const Camera& camera, ImageSize size, const RenderOpti
                                : stats.target == Target::Rgba8Dither ? shared::OUTPUT_DITHERED
                                                                      : shared::OUTPUT_COLOR;
   gpu::Recorder recorder(context_, timing);
-  stats.order = drawInto(recorder, camera, size, integration, output, target, checkOrder_);
+  const Drawn drawn = drawInto(recorder, camera, size, integration, output, target, checkOrder_);
+  stats.order = drawn.order;
 
-  stats.doublePrecision = lastDoublePrecision_;
+  stats.doublePrecision = drawn.doublePrecision;
   if (stats.plan && marchPass_)
     stats.plan->decisions.push_back(
-        {"precision", lastDoublePrecision_ ? "double" : "single",
-         fmt::format("single precision misses crossings by {:.1g} mesh units; extinction is up to {:.3g} per mesh unit",
-                     kCrossingRounding, static_cast<double>(transfer_->largest())),
+        {"precision", drawn.doublePrecision ? "double" : "single",
+         fmt::format(
+             "single precision misses crossings by {:.1g} mesh units; extinction is up to {:.3g} per mesh unit, "
+             "pixels are at least {:.2g} wide",
+             kCrossingRounding, static_cast<double>(transfer_->largest()), drawn.smallestPixel),
          kCrossingRounding * static_cast<double>(transfer_->largest())});
   shared::FrameCounters counters{};
   if (storage_) gpu::download(context_, storage_->counters, &counters, sizeof counters);

@@ -47,8 +47,7 @@ struct RendererOptions {
   bool mayWalk = true;  // CellProjection::Auto may become March; false where what frames ask for is made by blending
   std::uint32_t kBuffer = 6;  // segments buffered per pixel by Order::KBuffer, 1 to KBUFFER_LARGEST
   // Largest error per pixel and channel that is allowed, > 0: frames with Integration::Exact, and what is Auto, are
-  // then drawn as cheaply as is known to keep it (tolerance/tolerance_plan.h). Nothing: as exactly as single precision
-  // can.
+  // then drawn as cheaply as is known to keep it (tolerance/tolerance_plan.h). Nothing: exactly, up to rounding.
   std::optional<double> tolerance;
   bool checkOrder = false;  // count what the order gets wrong, every frame (costs about as much as the cull pass)
 };
@@ -125,9 +124,14 @@ class Renderer {
   bool usesDoublePrecision(const FrameSetup& setup) const;
   void preparePlan();
   void prepareTables(Integration integration, const TableOptions& options);
-  OrderReport drawInto(gpu::Recorder& recorder, const Camera& camera, ImageSize size,
-                       const IntegrationVariant& integration, std::uint32_t output, const FrameTarget& target,
-                       bool checkOrder);
+  // What a frame turned out to need.
+  struct Drawn {
+    OrderReport order;
+    bool doublePrecision = false;
+    double smallestPixel = 0.0;  // FrameSetup
+  };
+  Drawn drawInto(gpu::Recorder& recorder, const Camera& camera, ImageSize size, const IntegrationVariant& integration,
+                 std::uint32_t output, const FrameTarget& target, bool checkOrder);
   // Target::Auto: draws a small frame that counts roundings and applies halfFloatHolds() to the worst of its pixels.
   // Adds what it took to the statistics, as pass "measure".
   Target chooseTarget(const Camera& camera, ImageSize size, const IntegrationVariant& integration,
@@ -143,7 +147,6 @@ class Renderer {
   std::optional<double> tolerance_;
   std::optional<bool> doublePrecision_;
   ProjectionChoice projection_;
-  bool lastDoublePrecision_ = false;  // of the last frame
   std::optional<TolerancePlan> plan_;  // for transfer_
   double luminance_ = 0.0;             // largest of transfer_ over the field's range
   // Of projected cells:

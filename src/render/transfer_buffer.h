@@ -39,7 +39,9 @@ class TransferBuffer {
   const gpu::TexelView& support() const { return supportView_; }
   std::uint32_t supportCount() const { return supportCount_; }
   Emission emission() const { return emission_; }
-  float largest() const { return largest_; }  // extinction over all scalars, 1/mesh unit; or emission per length, if more
+  float largest() const {
+    return largest_;
+  }  // extinction over all scalars, 1/mesh unit; or emission per length, if more
   // What pieces() holds, on the host: TRANSFER_PIECE_TEXELS per piece.
   const std::vector<glm::vec4>& pieceTexels() const { return pieceTexels_; }
   std::uint64_t sizeBytes() const;

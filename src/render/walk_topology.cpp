@@ -23,20 +23,20 @@ using Across = std::array<std::uint32_t, 2>;
 
 gpu::Buffer makeAcrossBuffer(const gpu::Context& context, const TetMesh& mesh, const Adjacency& adjacency) {
   using CellAcross = std::array<Across, 4>;
-  return gpu::makeBuffer<CellAcross>(
-      context, mesh.cellCount(), "walk topology", [&](std::span<CellAcross> across, size_t first) {
-        parallelFor(across.size(), kGrain, [&](size_t begin, size_t end, unsigned) {
-          for (size_t i = begin; i < end; i++) {
-            const auto cell = static_cast<std::uint32_t>(first + i);
-            const CellVertices sorted = sortedVertices(mesh.cells[cell]);
-            for (size_t k = 0; k < 4; k++) {
-              const std::uint32_t next = adjacency.neighbors[cell][k];
-              const std::uint32_t face = vertexXor(mesh, cell) ^ sorted[k];
-              across[i][k] = {next, next == kNoCell ? 0 : vertexXor(mesh, next) ^ face};
-            }
-          }
-        });
-      });
+  return gpu::makeBuffer<CellAcross>(context, mesh.cellCount(), "walk topology",
+                                     [&](std::span<CellAcross> across, size_t first) {
+                                       parallelFor(across.size(), kGrain, [&](size_t begin, size_t end, unsigned) {
+                                         for (size_t i = begin; i < end; i++) {
+                                           const auto cell = static_cast<std::uint32_t>(first + i);
+                                           const CellVertices sorted = sortedVertices(mesh.cells[cell]);
+                                           for (size_t k = 0; k < 4; k++) {
+                                             const std::uint32_t next = adjacency.neighbors[cell][k];
+                                             const std::uint32_t face = vertexXor(mesh, cell) ^ sorted[k];
+                                             across[i][k] = {next, next == kNoCell ? 0 : vertexXor(mesh, next) ^ face};
+                                           }
+                                         }
+                                       });
+                                     });
 }
 
 // Four times the cell, plus the place among its vertices in ascending order of the one that the face does not have.
@@ -65,8 +65,6 @@ WalkTopology::WalkTopology(const gpu::Context& context, const TetMesh& mesh, con
       acrossView_(context, acrossBuffer_, VK_FORMAT_R32G32_UINT),
       boundaryView_(context, boundaryBuffer_, VK_FORMAT_R32G32B32A32_UINT) {}
 
-std::uint64_t WalkTopology::sizeBytes() const {
-  return acrossBuffer_.sizeBytes() + boundaryBuffer_.sizeBytes();
-}
+std::uint64_t WalkTopology::sizeBytes() const { return acrossBuffer_.sizeBytes() + boundaryBuffer_.sizeBytes(); }
 
 }  // namespace tetralux::render

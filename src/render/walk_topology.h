@@ -14,7 +14,8 @@ class WalkTopology {
   //   adjacency   without folds (mesh/cut_folds.h); neither it nor the mesh need outlive the call
   WalkTopology(const gpu::Context& context, const TetMesh& mesh, const Adjacency& adjacency);
 
-  // Two uint per face of a cell, faces numbered as in Adjacency: the cell across it, or kNoCell, and that cell's vertex opposite.
+  // Two uint per face of a cell, faces numbered as in Adjacency: the cell across it, or kNoCell, and that cell's vertex
+  // opposite.
   const gpu::TexelView& across() const { return acrossView_; }
   VkDeviceAddress acrossAddress() const { return acrossBuffer_.address(); }
 

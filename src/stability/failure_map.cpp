@@ -166,7 +166,7 @@ std::string failureMapSvg(std::span<const Outcome> outcomes, const std::string& 
       ".t{{font-size:17px;font-weight:bold}}</style>\n"
       "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n"
       "<text x=\"{2}\" y=\"28\" class=\"t\">Largest error where methods fail: {3}</text>\n"
-      "<text x=\"{2}\" y=\"48\" class=\"l\">one part of the default configuration replaced at a time; against the "
+      "<text x=\"{2}\" y=\"48\" class=\"l\">the default, and pt with one part replaced at a time; against the "
       "double-precision answer</text>\n",
       width, height, kMargin, escapedXml(device));
   svg += headSvg(layout);

@@ -28,10 +28,14 @@ struct KnownMiss {
   bool isEverywhere = true;  // or only on other devices than the recorded one
 };
 constexpr KnownMiss kKnownMisses[] = {
-    {"degenerate parallel", "projection pt"},    {"degenerate parallel", "projection silhouette"},
-    {"degenerate parallel", "projection gator"}, {"slivers 1e-5", "projection pt"},
-    {"slivers 1e-5", "projection silhouette"},   {"slivers 1e-5", "projection gator"},
-    {"slivers 1e-7", "projection pt"},           {"slivers 1e-7", "projection silhouette"},
+    {"degenerate parallel", "projection pt"},
+    {"degenerate parallel", "projection silhouette"},
+    {"degenerate parallel", "projection gator"},
+    {"slivers 1e-5", "projection pt"},
+    {"slivers 1e-5", "projection silhouette"},
+    {"slivers 1e-5", "projection gator"},
+    {"slivers 1e-7", "projection pt"},
+    {"slivers 1e-7", "projection silhouette"},
     {"slivers 1e-7", "projection gator"},
     // Most likely clipped by planes whose products a device fuses; seen on NVIDIA's H200.
     {"edge-on slivers 1e-7", "projection pt", false},

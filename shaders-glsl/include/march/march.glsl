@@ -3,10 +3,10 @@
 // One invocation per pixel; its list holds the faces where its ray enters the mesh, near ones first. A walk ends where the ray
 // leaves the mesh, or where nothing behind can be seen any more. Where layers of the mesh overlap, it is also left where the middle of
 // its next segment lies behind the next entry in the list, and waits there with that middle as its rank: so segments are composited in
-// the order of their middles. (An entry lies before its segment's middle; found to be too near, it goes back into the list itself.) After kRounds rounds the face at which the ray stands takes
-// the place of its entry, the pixel is counted, and another dispatch goes on.
+// the order of their middles. (An entry lies before its segment's middle; found to be too near, it goes back into the list itself.)
+// After kRounds rounds the face at which the ray stands takes the place of its entry, the pixel is counted, and another dispatch goes on.
 //
-// With exact integration, a round of the loop is one part of a cell's segment (include/integration/exact.glsl), most cells have
+// With exact integration, a round of the loop is one part of a cell's segment (include/integration/ray_parts.glsl), most cells have
 // one: a loop over parts within a loop over cells would keep all lanes of a subgroup waiting for the one with most parts. With
 // another method a round is a cell.
 //

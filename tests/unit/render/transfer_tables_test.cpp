@@ -86,8 +86,7 @@ TEST(TransferTables, LargestExtinctionBoundsEveryRange) {
     const auto level = static_cast<std::uint32_t>(std::bit_width(last - first + 1) - 1);
     const float* row = tables.largestExtinction.data() + level * shared::TRANSFER_BINS;
     const double bound = static_cast<double>(std::max(row[first], row[last + 1 - (1u << level)]));
-    for (int k = 0; k <= 20; k++)
-      EXPECT_LE(transfer.at(a + (b - a) * k / 20.0).extinction * 2.0, bound * (1 + 1e-6));
+    for (int k = 0; k <= 20; k++) EXPECT_LE(transfer.at(a + (b - a) * k / 20.0).extinction * 2.0, bound * (1 + 1e-6));
     EXPECT_LE(bound, 1800.0 * (1 + 1e-6));
   }
 }
