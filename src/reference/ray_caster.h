@@ -12,6 +12,7 @@
 #include "image/image.h"
 #include "mesh/tet_mesh.h"
 #include "view/camera.h"
+#include "volume/appearance.h"
 #include "volume/transfer_function.h"
 
 namespace tetralux::reference {
@@ -22,6 +23,8 @@ struct ReferenceScene {
   const TransferFunction& transfer;
   const Camera& camera;
   ImageSize size;
+  const Appearance* appearance = nullptr;  // null: the volume alone
+  const AppearanceData* data = nullptr;    // of the appearance; not null when that is not
 };
 
 struct ReferencePixel {

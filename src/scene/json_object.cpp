@@ -88,6 +88,13 @@ std::uint32_t JsonObject::integer(const char* key, std::uint32_t low, std::uint3
   return static_cast<std::uint32_t>(number);
 }
 
+bool JsonObject::flag(const char* key, bool otherwise) {
+  if (!has(key)) return otherwise;
+  const json& value = require(key, "true or false");
+  if (!value.is_boolean()) fail(ErrorCode::Input, "{}: found {}, expected true or false", where(key), shown(value));
+  return value.get<bool>();
+}
+
 std::string JsonObject::text(const char* key) {
   const json& value = require(key, "a text");
   if (!value.is_string()) fail(ErrorCode::Input, "{}: found {}, expected a text", where(key), shown(value));
@@ -109,6 +116,15 @@ glm::dvec3 JsonObject::vec3(const char* key) {
   glm::dvec3 result;
   for (int i = 0; i < 3; i++)
     result[i] = finiteNumber(value[static_cast<size_t>(i)], fmt::format("{}[{}]", where(key), i));
+  return result;
+}
+
+std::vector<double> JsonObject::numbers(const char* key) {
+  const json& value = require(key, "a list of numbers");
+  if (!value.is_array()) fail(ErrorCode::Input, "{}: found {}, expected a list of numbers", where(key), shown(value));
+  std::vector<double> result;
+  for (size_t i = 0; i < value.size(); i++)
+    result.push_back(finiteNumber(value[i], fmt::format("{}[{}]", where(key), i)));
   return result;
 }
 

@@ -27,10 +27,12 @@ class JsonObject {
   double number(const char* key, double otherwise);
   // A whole number from `low` to `high`.
   std::uint32_t integer(const char* key, std::uint32_t low, std::uint32_t high);
+  bool flag(const char* key, bool otherwise);
   std::string text(const char* key);
   // One of `names`; returns its index.
   size_t oneOf(const char* key, std::initializer_list<const char*> names);
   glm::dvec3 vec3(const char* key);
+  std::vector<double> numbers(const char* key);
   JsonObject object(const char* key);
   // Every element must be an object.
   std::vector<JsonObject> objects(const char* key);

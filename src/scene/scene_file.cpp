@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "scene/appearance_file.h"
 #include "scene/json_object.h"
 #include "scene/transfer_file.h"
 
@@ -47,7 +48,10 @@ Scene parseScene(std::string_view text, const std::string& place, const std::fil
   }
   image.finish();
 
-  scene.transferFunction = parseTransferFunction(root.object("transfer_function"));
+  scene.appearance = parseAppearance(root, folder);
+  const bool isReplaced = scene.appearance.rgbaField || scene.appearance.transfer2d || !scene.appearance.volumeVisible;
+  if (root.has("transfer_function") || !isReplaced)
+    scene.transferFunction = parseTransferFunction(root.object("transfer_function"));
   root.finish();
   return scene;
 }

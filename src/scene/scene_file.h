@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "view/camera.h"
+#include "volume/appearance.h"
 #include "volume/transfer_function.h"
 
 namespace tetralux {
@@ -20,6 +21,7 @@ struct Scene {
   ImageSize size;
   glm::dvec3 background{0.0};  // linear rgb, only composited where the output has no alpha
   TransferFunction transferFunction;
+  Appearance appearance;
 };
 
 // Reads a scene. A relative mesh path is taken from the scene file's folder. The mesh is not opened.

@@ -70,7 +70,9 @@ TEST(SceneFile, EveryDefectIsNamedWithItsPlace) {
       {"\"field\": \"density\",", "", "f.json: field: missing, expected a text"},
       {"\"field\"", "\"feild\"", "f.json: field: missing, expected a text"},
       {"\"mesh\"", "\"extra\": 1, \"mesh\"",
-       "f.json: extra: unknown key, expected one of camera, field, image, mesh, transfer_function"},
+       "f.json: extra: unknown key, expected one of boundary_emphasis, camera, "
+       "clip, field, image, isosurfaces, lighting, mesh, opacity_by_gradient, rgba_field, second_field, "
+       "silhouette_emphasis, surfaces, transfer_function, transfer_function_2d, volume"},
       {"\"eye\"", "\"eye2\": 1, \"eye\"",
        "f.json: camera.eye2: unknown key, expected one of center, eye, fovy, projection, up"},
       {"\"perspective\"", "\"fisheye\"",
