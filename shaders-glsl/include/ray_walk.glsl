@@ -1,17 +1,14 @@
 // A ray's walk through a mesh from face to face (after Weiler, Kraus, Merz and Ertl 2003, and Espinha and Celes 2005, but
 // without plane equations).
 //
-// Everything is seen along the ray: a vertex has a place (u, v) beside it, linear in the vertex's position, with the ray at the
-// origin; there is no division, so a vertex beside or behind the eye needs no special case. The origin lies in the projected
-// triangle of the current face. The next cell adds one vertex P, and the origin lies in one of the three triangles that P
-// makes with the current one's edges: that is the face where the ray leaves. On which side of an edge the origin lies is
-// computed from its two ends by the same operations whoever asks, so all faces and cells around an edge agree, and the walk is
-// right for the mesh with its vertices rounded: it finds its way through slivers, flat cells and along edges.
-//
-// Where the origin is on an edge it is taken to be a little beside it, in the same direction for all edges (Edelsbrunner and
-// Muecke 1990). An edge along the ray has no sides, and is in no triangle that the origin lies in.
+// Seen along the ray (ray_signs.glsl), the origin lies in the projected triangle of the current face. The next cell adds one vertex P, and the
+// origin lies in one of the three triangles that P makes with the current one's edges: that is the face where the ray leaves. All faces and
+// cells around an edge take the same sign for it, and the walk is right for the mesh with its vertices rounded: it finds its way through
+// slivers, flat cells and along edges.
 //
 // Before including: TOPOLOGY_ACROSS and MESH_VERTEX_RESTS are binding numbers; real.glsl, mesh_access.glsl and view_space.glsl.
+
+#include "include/ray_signs.glsl"
 
 // What lies across the face opposite a cell's k-th vertex in ascending order, at 4 cell + k: the cell there, or NO_CELL, and the
 // vertex of it that the face does not have. So a step reads two numbers of the topology and four of the new vertex, one after
@@ -25,61 +22,6 @@ layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer Ve
 
 const uint NO_CELL = 0xffffffffu;
 
-struct Ray {
-  real4 u;            // u = dot(u.xyz, mesh position) + u.w
-  real4 v;
-  real3 forward;      // depth from the mesh's centre = dot(forward, mesh position)
-  real eyeDepth;      // where the ray starts
-  float lengthPerDepth;
-};
-
-real4 viewRow(FrameView view, int row) {
-#ifdef REAL_IS_DOUBLE
-  return real4(view.viewFromMesh[row]) + real4(view.viewFromMeshRest[row]);
-#else
-  return view.viewFromMesh[row];
-#endif
-}
-
-real pixelsPerUnit(FrameView view) {
-#ifdef REAL_IS_DOUBLE
-  return real(view.pixelsPerUnit) + real(view.pixelsPerUnitRest);
-#else
-  return view.pixelsPerUnit;
-#endif
-}
-
-// The ray through a pixel's centre.
-//   pixel   column, and row from the top
-Ray pixelRay(FrameView view, uvec2 pixel) {
-  const vec2 fromCenter = vec2(float(pixel.x) + 0.5 - view.halfSize.x, view.halfSize.y - float(pixel.y) - 0.5);
-  const real2 screen = real2(fromCenter) / pixelsPerUnit(view);
-  const real4 forward = viewRow(view, 2);
-  Ray ray;
-  ray.forward = forward.xyz;
-  ray.eyeDepth = -forward.w;
-  precise real4 u = viewRow(view, 0);
-  precise real4 v = viewRow(view, 1);
-  if (kPerspective) {
-    u -= screen.x * forward;
-    v -= screen.y * forward;
-  } else {
-    u.w -= screen.x;
-    v.w -= screen.y;
-  }
-  ray.u = u;
-  ray.v = v;
-  ray.lengthPerDepth = kPerspective ? sqrt(1.0 + float(dot(screen, screen))) : 1.0;
-  return ray;
-}
-
-// A vertex: where it is in mesh space, and its scalar.
-struct Vertex {
-  uint index;
-  real3 position;
-  float scalar;
-};
-
 Vertex loadWalkVertex(MeshAddresses mesh, VertexRestsAt restsAt, uint index) {
   const vec4 v = loadVertex(mesh, index);
 #ifdef REAL_IS_DOUBLE
@@ -90,39 +32,8 @@ Vertex loadWalkVertex(MeshAddresses mesh, VertexRestsAt restsAt, uint index) {
 #endif
 }
 
-// A vertex, seen along the ray.
-struct Corner {
-  uint vertex;
-  real2 place;  // (u, v)
-  real depth;
-  float scalar;
-};
-
-Corner seenCorner(Ray ray, Vertex vertex) {
-  const real3 p = vertex.position;
-  precise const real u = (ray.u.x * p.x + ray.u.y * p.y) + (ray.u.z * p.z + ray.u.w);
-  precise const real v = (ray.v.x * p.x + ray.v.y * p.y) + (ray.v.z * p.z + ray.v.w);
-  return Corner(vertex.index, real2(u, v), dot(ray.forward, p), vertex.scalar);
-}
-
 Corner loadCorner(MeshAddresses mesh, VertexRestsAt restsAt, Ray ray, uint index) {
   return seenCorner(ray, loadWalkVertex(mesh, restsAt, index));
-}
-
-// Twice the signed area of the triangle of the origin, a and b. Exchanging a and b negates it exactly.
-real crossed(Corner a, Corner b) {
-  precise const real left = a.place.x * b.place.y;
-  precise const real right = a.place.y * b.place.x;
-  precise const real area = left - right;
-  return area;
-}
-
-// Whether the origin lies to the left of the edge from a to b.
-bool isLeft(Corner a, Corner b) {
-  // The origin's place is kBesideEdge: areas that are not zero are far larger, products of roundings.
-  precise const real2 edge = a.place - b.place;
-  precise const real beside = edge.y * kBesideEdge.x - edge.x * kBesideEdge.y;
-  return crossed(a, b) + beside > 0.0;
 }
 
 // A face; the ray sees its corners anticlockwise.
@@ -149,9 +60,18 @@ Meeting meeting(Face face) {
   const real depth = weight.x * face.a.depth + weight.y * face.b.depth + weight.z * face.c.depth;
   const real scalar = weight.x * face.a.scalar + weight.y * face.b.scalar + weight.z * face.c.scalar;
   const real inverse = 1.0 / max(area, kNoArea);
+#ifdef APPEARANCE
+  // Rounding must not take a face of one scalar across an isosurface of that value.
+  const float low = min(min(face.a.scalar, face.b.scalar), face.c.scalar);
+  const float high = max(max(face.a.scalar, face.b.scalar), face.c.scalar);
+  return Meeting(Place(area > kNoArea ? depth * inverse : face.a.depth,
+                       area > kNoArea ? clamp(float(scalar * inverse), low, high) : face.a.scalar),
+                 area);
+#else
   return Meeting(Place(area > kNoArea ? depth * inverse : face.a.depth,
                        area > kNoArea ? float(scalar * inverse) : face.a.scalar),
                  area);
+#endif
 }
 
 // Depths as integers of the same order, without the last bit. They are within 1.8 of the mesh's centre: what is compared is positive.

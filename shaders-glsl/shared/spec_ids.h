@@ -20,5 +20,22 @@
 #define SPEC_LEAST_TRANSMITTANCE 15  // float: what lies behind it is left out
 #define SPEC_EMISSION_PER_LENGTH 20  // bool: light per unit of length, else per unit of extinction
 #define SPEC_OUTPUT 21               // uint: what is handed to the blending (shared/target_output.h)
+#define SPEC_CLIP_PLANES 22          // uint: their number
+#define SPEC_LIGHTS 23               // uint: directional lights
+#define SPEC_HEAD_LIGHT 24           // bool: a light at the eye
+#define SPEC_ISOSURFACES 25          // bool: there are some
+#define SPEC_VOLUME 26               // bool: what lies between isosurfaces shows
+#define SPEC_RAY_ENDS 27             // bool: opaque surfaces end rays
+#define SPEC_ISOSURFACE_COUNT 28     // uint
+#define SPEC_CLASSIFIED 29           // bool: extinction and luminance depend on more than the scalar
+#define SPEC_LIT_VOLUME 30           // bool: luminance is lit by the gradient
+#define SPEC_VERTEX_COLORS 31        // bool: luminance and extinction come from vertices
+#define SPEC_CURVE_MAGNITUDE 32      // uint: points of the factor that depends on the gradient's length; 0: none
+#define SPEC_CURVE_BOUNDARY 33       // uint: ... on the distance from a boundary
+#define SPEC_CURVE_FIELD 34          // uint: ... on a second field
+#define SPEC_CURVE_COSINE 35         // uint: ... on the angle between gradient and ray
+#define SPEC_TRANSFER_COLUMNS 36     // uint: scalars of a transfer function of two dimensions; 0: none
+#define SPEC_TRANSFER_ROWS 37        // uint: its gradients
+#define SPEC_CHOOSE_TRIANGLE 38      // bool: second run of surface/meet.comp
 
 #endif

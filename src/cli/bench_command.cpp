@@ -77,6 +77,7 @@ class BenchCommand : public Command {
     const LoadedScene loaded = loadScene(path, sceneOptions_);
     render::Renderer renderer(context, loaded.mesh, loaded.field, deviceOptions_.rendererOptions());
     renderer.setTransferFunction(loaded.scene.transferFunction);
+    renderer.setAppearance(loaded.scene.appearance, loaded.appearanceData);
     render::RenderOptions options = deviceOptions_.renderOptions();
     options.timed = true;
 

@@ -20,6 +20,7 @@ void SceneOptions::add(CLI::App& app) {
   app.add_option("--size", size, "Image size in pixels, WxH (default: the scene's; 1024x768 for a mesh)");
   app.add_option("--camera", cameraFile, "JSON file with a \"camera\", used instead of the scene's");
   addTransfer(app);
+  appearance.add(app);
 }
 
 void SceneOptions::addTransfer(CLI::App& app) {

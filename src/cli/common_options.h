@@ -5,19 +5,21 @@
 #include <optional>
 #include <string>
 
+#include "cli/appearance_options.h"
 #include "gpu/context.h"
 #include "render/renderer.h"
 #include "view/camera.h"
 
 namespace tetralux::cli {
 
-// --size, --camera, --field, --tf, --opacity-scale: what is drawn.
+// --size, --camera, --field, --tf, --opacity-scale and those of AppearanceOptions: what is drawn.
 struct SceneOptions {
   std::string size;  // "WxH"
   std::string cameraFile;
   std::string field;
   std::string transfer;       // file or preset
   double opacityScale = 1.0;  // multiplies every extinction, > 0
+  AppearanceOptions appearance;
 
   void add(CLI::App& app);
   void addTransfer(CLI::App& app);  // --field and --tf alone

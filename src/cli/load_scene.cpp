@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "cli/default_transfer.h"
+#include "fields/appearance_data.h"
 #include "mesh/mesh_io.h"
 #include "scene/transfer_file.h"
 
@@ -42,9 +43,12 @@ LoadedScene loadScene(const std::string& path, const SceneOptions& options) {
   const bool isPreset = transferPreset(options.transfer).has_value();
   if (!options.transfer.empty() && !isPreset) scene.transferFunction = readTransferFunction(options.transfer);
 
+  options.appearance.apply(scene.appearance);
+
   loaded.mesh = readMesh(scene.meshPath);
   loaded.field = scalarField(loaded.mesh, scene.fieldName, scene.meshPath.string());
   scene.fieldName = loaded.field.name;
+  loaded.appearanceData = makeAppearanceData(scene.appearance, loaded.mesh, loaded.field, scene.meshPath.string());
   if (isPreset || (!isScene && options.transfer.empty()))
     scene.transferFunction = defaultTransfer(loaded.mesh, loaded.field, options.transfer);
   if (options.opacityScale != 1.0) scene.transferFunction = scene.transferFunction.scaled(options.opacityScale);

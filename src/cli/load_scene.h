@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/common_options.h"
+#include "fields/appearance_data.h"
 #include "mesh/tet_mesh.h"
 #include "reference/ray_caster.h"
 #include "scene/scene_file.h"
@@ -15,11 +16,12 @@ struct LoadedScene {
   Scene scene;
   TetMesh mesh;
   ScalarField field;
+  AppearanceData appearanceData;
   double loadMs = 0.0;
 
   // What the exact answer is asked for. Refers to this and to the camera.
   reference::ReferenceScene exact(const Camera& camera) const {
-    return {mesh, field, scene.transferFunction, camera, scene.size};
+    return {mesh, field, scene.transferFunction, camera, scene.size, &scene.appearance, &appearanceData};
   }
 
   // Frees the mesh and the field's values: a renderer has its own, and no exact answer will be asked for.

@@ -23,8 +23,7 @@ class ReferenceCommand : public Command {
     ExrOptions exr = exrOptions_.exrOptions();
     const LoadedScene loaded = loadScene(input_, sceneOptions_);
     const Scene& scene = loaded.scene;
-    const auto pixels =
-        reference::renderPixels({loaded.mesh, loaded.field, scene.transferFunction, scene.camera, scene.size});
+    const auto pixels = reference::renderPixels(loaded.exact(scene.camera));
     exr.attributes = {{"tetralux.version", versionString()},
                       {"tetralux.mesh", scene.meshPath.filename().string()},
                       {"tetralux.field", loaded.field.name},

@@ -53,6 +53,7 @@ class RenderCommand : public Command {
     render::Renderer renderer(context, loaded.mesh, loaded.field, rendererOptions);
     if (certifyOptions_.count == 0) loaded.releaseMesh();
     renderer.setTransferFunction(loaded.scene.transferFunction);
+    renderer.setAppearance(loaded.scene.appearance, loaded.appearanceData);
     options.timed = !statsFile_.empty();
     Certifier certifier(certifyOptions_);
     RunStats run;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
 #include <span>
+#include <vector>
 
 #include "gpu/buffer.h"
 #include "gpu/image.h"
@@ -66,6 +66,8 @@ class Descriptor {
   VkSampler sampler_ = VK_NULL_HANDLE;
 };
 
+using Descriptors = std::vector<Descriptor>;
+
 // A primary command buffer, recording from its construction on; submitted at most once. Everything recorded must
 // outlive its execution.
 class CommandBuffer {
@@ -84,15 +86,15 @@ class CommandBuffer {
   // ignore those beyond their count. Descriptors in the order of the bindings; their number and the push constants'
   // size must be what the shader declares.
   template <typename Push>
-  void dispatch(const ComputePipeline& pipeline, std::initializer_list<Descriptor> descriptors, const Push& push,
+  void dispatch(const ComputePipeline& pipeline, const Descriptors& descriptors, const Push& push,
                 std::uint64_t threads) {
     bind(VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.get(), pipeline.layout(), descriptors, &push, sizeof push);
     dispatchGroups(pipeline, threads);
   }
   // The same with the number of workgroups (VkDispatchIndirectCommand) read from a buffer.
   template <typename Push>
-  void dispatchIndirect(const ComputePipeline& pipeline, std::initializer_list<Descriptor> descriptors,
-                        const Push& push, const Buffer& arguments, std::uint64_t offsetBytes) {
+  void dispatchIndirect(const ComputePipeline& pipeline, const Descriptors& descriptors, const Push& push,
+                        const Buffer& arguments, std::uint64_t offsetBytes) {
     bind(VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.get(), pipeline.layout(), descriptors, &push, sizeof push);
     vkCmdDispatchIndirect(commands_, arguments.get(), offsetBytes);
   }
@@ -106,7 +108,7 @@ class CommandBuffer {
   void endRendering();
   // Triangles without vertex buffers.
   template <typename Push>
-  void draw(const GraphicsPipeline& pipeline, std::initializer_list<Descriptor> descriptors, const Push& push,
+  void draw(const GraphicsPipeline& pipeline, const Descriptors& descriptors, const Push& push,
             std::uint32_t vertexCount) {
     bind(VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.get(), pipeline.layout(), descriptors, &push, sizeof push);
     vkCmdDraw(commands_, vertexCount, 1, 0, 0);
@@ -146,7 +148,7 @@ class CommandBuffer {
   void bind(VkPipelineBindPoint point, VkPipeline pipeline, const PipelineLayout& layout,
             std::span<const Descriptor> descriptors, const void* push, size_t pushBytes);
   void bind(VkPipelineBindPoint point, VkPipeline pipeline, const PipelineLayout& layout,
-            std::initializer_list<Descriptor> descriptors, const void* push, size_t pushBytes) {
+            const Descriptors& descriptors, const void* push, size_t pushBytes) {
     bind(point, pipeline, layout, std::span(descriptors.begin(), descriptors.size()), push, pushBytes);
   }
   void dispatchGroups(const ComputePipeline& pipeline, std::uint64_t threads);

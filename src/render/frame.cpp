@@ -144,6 +144,16 @@ shared::MarchCounts untilThrough(gpu::Recorder& recorder, const FrameInputs& inp
   return counts;
 }
 
+void findRayEnds(gpu::Recorder& recorder, const FrameInputs& inputs, const MarchStorage& storage,
+                 const shared::PixelBand& band) {
+  do {
+    inputs.surfaces->prepare(storage.bandPixels(), storage.bandTiles());
+    inputs.surfacePass->record(recorder.pass("surfaces"), inputs.variant, *inputs.appearance, storage.view(),
+                               *inputs.surfaces, band);
+    recorder.sync();
+  } while (inputs.surfaces->grow());
+}
+
 }  // namespace
 
 FrameStorage::FrameStorage(const gpu::Context& context, std::uint32_t cellCount, SortVariant sortVariant,
@@ -209,14 +219,17 @@ void marchFrame(gpu::Recorder& recorder, const FrameInputs& inputs, MarchPass& p
         pass.recordSeek(commands, inputs.variant, inputs.mesh, storage, band);
       });
 
+    // surfaces: the opaque triangles at which rays end
+    if (inputs.surfaces) findRayEnds(recorder, inputs, storage, band);
+
     // march: from there through the cells
     const shared::MarchCounts counts =
-        untilThrough(recorder, inputs, storage, "march", [&](gpu::CommandBuffer& commands) {
-          pass.recordMarch(commands, inputs.variant, inputs.mesh, inputs.transfer, inputs.tables, storage, band);
-        });
+        untilThrough(recorder, inputs, storage, "march",
+                     [&](gpu::CommandBuffer& commands) { pass.recordMarch(commands, inputs, storage, band); });
     if (storage.grow(counts)) continue;
 
     gpu::CommandBuffer& commands = recorder.pass("march");
+    if (inputs.surfaces) inputs.surfacePass->recordBehind(commands, *inputs.surfaces, storage.colors(), band);
     if (row == 0) commands.prepareAttachment(target);
     pass.recordShow(commands, storage, band, target, /*clear=*/row == 0);
     commands.barrier(kVertexRead | kFragmentReadWrite | kColorWrite | kTransferRead | kTransferWrite,

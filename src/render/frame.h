@@ -5,6 +5,7 @@
 
 #include "gpu/recorder.h"
 #include "render/apart_pass.h"
+#include "render/appearance_buffer.h"
 #include "render/batch.h"
 #include "render/combine_pass.h"
 #include "render/cull_pass.h"
@@ -15,6 +16,7 @@
 #include "render/project_pass.h"
 #include "render/raster_pass.h"
 #include "render/sort_pass.h"
+#include "render/surface_pass.h"
 #include "render/target_images.h"
 #include "render/transfer_buffer.h"
 #include "shared/counters.h"
@@ -56,7 +58,11 @@ struct FrameInputs {
   const FrameSetup& setup;
   FrameVariant variant;
   ImageSize size;
-  bool checkOrder = false;  // count what the order gets wrong
+  // Of the march alone:
+  const AppearanceBuffer* appearance = nullptr;  // what is shown beside the volume
+  SurfacePass* surfacePass = nullptr;            // with surfaces
+  SurfaceStorage* surfaces = nullptr;            // opaque triangles, if there are any
+  bool checkOrder = false;                       // count what the order gets wrong
 };
 
 // Draws a frame into `target`, whose old content is forgotten, and waits for it. Returns how right the order was.

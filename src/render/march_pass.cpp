@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "render/frame.h"
 #include "render/shader_library.h"
 #include "shared/march.h"
 #include "shared/spec_ids.h"
@@ -53,7 +54,8 @@ MarchPass::MarchPass(const gpu::Context& context)
 MarchPass::Walk::Walk(const gpu::Context& context, const std::string& suffix)
     : enter(context, "march/enter" + suffix + ".comp"),
       seek(context, "march/seek" + suffix + ".comp"),
-      march(context, "march/march" + suffix + ".comp") {}
+      march(context, "march/march" + suffix + ".comp"),
+      marchAppearance(context, "march/march_appearance" + suffix + ".comp") {}
 
 MarchPass::Walk& MarchPass::walk(const FrameVariant& variant) { return variant.doublePrecision ? *double_ : *single_; }
 
@@ -96,20 +98,44 @@ void MarchPass::recordSeek(gpu::CommandBuffer& commands, const FrameVariant& var
   commands.barrier(kComputeReadWrite, kComputeReadWrite | kTransferWrite);
 }
 
-void MarchPass::recordMarch(gpu::CommandBuffer& commands, const FrameVariant& variant, const GpuMesh& mesh,
-                            const TransferBuffer& transfer, const IntegrationTables& tables,
-                            const MarchStorage& storage, const shared::PixelBand& band) {
+void MarchPass::recordMarch(gpu::CommandBuffer& commands, const FrameInputs& inputs, const MarchStorage& storage,
+                            const shared::PixelBand& band) {
+  const FrameVariant& variant = inputs.variant;
+  const GpuMesh& mesh = inputs.mesh;
+  const TransferBuffer& transfer = inputs.transfer;
+  const AppearanceBuffer* appearance = inputs.appearance;
   const WalkPush push{mesh.addresses(), storage.vertexRestAddress(), storage.topology().acrossAddress(), band};
   gpu::SpecConstants constants = variant.specConstants();
   constants.push_back({SPEC_EMISSION_PER_LENGTH, variant.emissionPerLength});
   for (const gpu::SpecConstant& constant : variant.integration.specConstants()) constants.push_back(constant);
-  commands.dispatchIndirect(
-      walk(variant).march.get(constants),
-      {storage.view(), mesh.cells(), mesh.vertices(), mesh.cellScalars(), storage.topology().across(),
-       transfer.pieces(), transfer.pieceBins(), storage.heads(), storage.links(), storage.ranks(), storage.colors(),
-       storage.counts(), tables.numbers(), tables.table2d(), tables.table3d(), transfer.points(),
-       transfer.pointScalars(), storage.walkTiles(), storage.vertexRests()},
-      push, storage.counts(), kWalkTiles);
+  gpu::Descriptors bindings{storage.view(),
+                            mesh.cells(),
+                            mesh.vertices(),
+                            mesh.cellScalars(),
+                            storage.topology().across(),
+                            transfer.pieces(),
+                            transfer.pieceBins(),
+                            storage.heads(),
+                            storage.links(),
+                            storage.ranks(),
+                            storage.colors(),
+                            storage.counts(),
+                            inputs.tables.numbers(),
+                            inputs.tables.table2d(),
+                            inputs.tables.table3d(),
+                            appearance ? appearance->points() : transfer.points(),
+                            appearance ? appearance->pointScalars() : transfer.pointScalars(),
+                            storage.walkTiles(),
+                            storage.vertexRests()};
+  if (appearance) {
+    for (const gpu::SpecConstant& constant : appearance->specConstants()) constants.push_back(constant);
+    for (const gpu::TexelView* view : {&appearance->texels(), &appearance->gradients(),
+                                       inputs.surfaces ? &inputs.surfaces->rayEnds() : &appearance->texels(),
+                                       &appearance->numbers(), &appearance->colors()})
+      bindings.emplace_back(*view);
+  }
+  ComputeVariants& march = appearance ? walk(variant).marchAppearance : walk(variant).march;
+  commands.dispatchIndirect(march.get(constants), bindings, push, storage.counts(), kWalkTiles);
   commands.barrier(kComputeReadWrite, kComputeReadWrite | kTransferRead | kTransferWrite | kVertexRead);
 }
 

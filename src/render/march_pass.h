@@ -20,6 +20,8 @@
 
 namespace tetralux::render {
 
+struct FrameInputs;
+
 class MarchPass {
  public:
   explicit MarchPass(const gpu::Context& context);
@@ -35,8 +37,7 @@ class MarchPass {
                   const MarchStorage& storage, const shared::PixelBand& band);
 
   // Walks. Counts the rays that are not through; recorded again, they go on.
-  void recordMarch(gpu::CommandBuffer& commands, const FrameVariant& variant, const GpuMesh& mesh,
-                   const TransferBuffer& transfer, const IntegrationTables& tables, const MarchStorage& storage,
+  void recordMarch(gpu::CommandBuffer& commands, const FrameInputs& inputs, const MarchStorage& storage,
                    const shared::PixelBand& band);
 
   // Writes a band's colours into the target: copies them where it holds the same numbers, draws them where it rounds.
@@ -50,6 +51,7 @@ class MarchPass {
     ComputeVariants enter;
     ComputeVariants seek;
     ComputeVariants march;
+    ComputeVariants marchAppearance;  // with what is shown beside the volume
   };
 
   Walk& walk(const FrameVariant& variant);

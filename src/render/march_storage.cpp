@@ -69,8 +69,8 @@ void MarchStorage::allocate() {
   const auto make = [&](std::uint64_t bytes, const char* name) {
     return gpu::Buffer(context_, bytes, MemoryKind::Device, name);
   };
-  const std::uint64_t pixels = std::uint64_t{size_.width} * bandRows_;
-  const std::uint64_t tiles = std::uint64_t{tileCount(size_.width)} * tileCount(bandRows_);
+  const std::uint64_t pixels = bandPixels();
+  const std::uint64_t tiles = bandTiles();
   jobs_ = make(std::uint64_t{8} * jobCapacity_, "march jobs");
   tileMarks_ = make(4 * tiles, "march tile marks");
   walkTiles_ = make(4 * tiles, "march tiles");
@@ -86,6 +86,10 @@ void MarchStorage::allocate() {
 shared::PixelBand MarchStorage::bandFrom(std::uint32_t firstRow) const {
   return {size_.width, firstRow, std::min(bandRows_, size_.height - firstRow), 0, nodeCapacity_};
 }
+
+std::uint64_t MarchStorage::bandPixels() const { return std::uint64_t{size_.width} * bandRows_; }
+
+std::uint64_t MarchStorage::bandTiles() const { return std::uint64_t{tileCount(size_.width)} * tileCount(bandRows_); }
 
 void MarchStorage::recordClear(gpu::CommandBuffer& commands) const {
   commands.fill(counts_, 0);

@@ -54,6 +54,10 @@ class MarchStorage {
   const gpu::Buffer& colors() const { return colors_; }  // vec4 per pixel of a band
   const gpu::TexelView& colorsView() const { return colorsView_; }
 
+  // Pixels, and tiles of MARCH_TILE squared, of the largest band.
+  std::uint64_t bandPixels() const;
+  std::uint64_t bandTiles() const;
+
   std::uint64_t sizeBytes() const;
 
  private:

@@ -75,7 +75,40 @@ void Renderer::noteAdjacency(const Adjacency& adjacency) {
 }
 
 void Renderer::setTransferFunction(const TransferFunction& transfer) {
+  CHECK(!appearance_ || appearanceEmission_ == transfer.emission());
+  transferFunction_ = transfer;
+  prepareTransfer();
+}
+
+void Renderer::setAppearance(const Appearance& appearance, const AppearanceData& data) {
+  CHECK(transfer_ != nullptr);
+  appearance_.reset();
+  surfaces_.reset();
+  volumeVisible_ = appearance.volumeVisible;
+  if (!appearance.isPlain()) {
+    if (!marchPass_)
+      fail(ErrorCode::Usage, "--projection: found '{}' with more than a volume to show, expected march",
+           projectionName(projection()));
+    appearanceEmission_ = transferFunction_.emission();
+    appearance_ = std::make_unique<AppearanceBuffer>(context_, appearance, data, mesh_.space(), appearanceEmission_);
+    CHECK_EQ(appearance.surfaces.size(), data.surfaces.size());
+    if (!data.surfaces.empty()) {
+      if (!surfacePass_) surfacePass_ = std::make_unique<SurfacePass>(context_);
+      surfaces_ = std::make_unique<SurfaceStorage>(context_, data.surfaces, mesh_.space());
+    }
+  }
+  prepareTransfer();
+}
+
+double Renderer::largestExtinction() const {
+  const auto ofTransfer = static_cast<double>(transfer_->largest());
+  return appearance_ ? appearance_->largestExtinction(ofTransfer) : ofTransfer;
+}
+
+void Renderer::prepareTransfer() {
+  const TransferFunction transfer = volumeVisible_ ? transferFunction_ : TransferFunction();
   transfer_ = std::make_unique<TransferBuffer>(context_, transfer, mesh_.space());
+  if (appearance_) appearance_->setTransfer(*transfer_);
   choice_.reset();
   plan_.reset();
   luminance_ = largestLuminance(transfer, space().scalarCenter - 0.5 * space().scalarRange,
@@ -94,6 +127,8 @@ void Renderer::checkMethod(const RenderOptions& options) const {
   if (options.interpolation == Interpolation::Screen &&
       (projection() == CellProjection::Silhouette || projection() == CellProjection::March))
     refuse("--interpolation", "screen", "a projection that interpolates nothing", "--projection pt or gator");
+  if (appearance_ && options.integration != Integration::Exact)
+    refuse("--integration", integrationName(options.integration), "more than a volume to show", "exact");
   if (tolerance_ && options.integration != Integration::Exact)
     refuse("--integration", integrationName(options.integration), "a tolerance", "exact, which has bounds");
   if (tolerance_ && options.interpolation == Interpolation::Screen)
@@ -103,7 +138,9 @@ void Renderer::checkMethod(const RenderOptions& options) const {
 void Renderer::preparePlan() {
   if (!tolerance_ || plan_) return;
   if (transfer_->emission() == Emission::PerLength) {
-    plan_ = planForEmissionPerLength(*tolerance_);
+    plan_ = planFully(*tolerance_, "emission per length: what lies behind may be any number of times brighter");
+  } else if (appearance_) {
+    plan_ = planFully(*tolerance_, "more than a volume to show: no bound is known for less");
   } else {
     const double limit = kIntegrationShare * *tolerance_;
     plan_ = planTolerance(*tolerance_, luminance_, classifyCells(context_, mesh_, *transfer_, wideAddressing_, limit));
@@ -142,7 +179,10 @@ Renderer::Drawn Renderer::drawInto(gpu::Recorder& recorder, const Camera& camera
   variant.doublePrecision = usesDoublePrecision(setup);
   variant.integration = integration;
   variant.output = output;
-  const FrameInputs inputs{context_, mesh_, *transfer_, *tables_, setup, variant, size, checkOrder};
+  if (appearance_) appearance_->setCamera(camera);
+  const FrameInputs inputs{context_,  mesh_, *transfer_,        *tables_,           setup,
+                           variant,   size,  appearance_.get(), surfacePass_.get(), surfaces_.get(),
+                           checkOrder};
   Drawn drawn{{}, variant.doublePrecision, setup.smallestPixel};
   if (marchPass_) {
     marchFrame(recorder, inputs, *marchPass_, *marchStorage_, target.picture);
@@ -155,7 +195,7 @@ Renderer::Drawn Renderer::drawInto(gpu::Recorder& recorder, const Camera& camera
 
 bool Renderer::usesDoublePrecision(const FrameSetup& setup) const {
   if (!marchPass_ || !context_.info().hasFloat64) return false;
-  return doublePrecision_.value_or(isTooDenseForSingle(static_cast<double>(transfer_->largest()), tolerance_) ||
+  return doublePrecision_.value_or(isTooDenseForSingle(largestExtinction(), tolerance_) ||
                                    isTooFineForSingle(setup.smallestPixel));
 }
 
@@ -218,8 +258,8 @@ FrameStats Renderer::draw(const Camera& camera, ImageSize size, const RenderOpti
          fmt::format(
              "single precision misses crossings by {:.1g} mesh units; extinction is up to {:.3g} per mesh unit, "
              "pixels are at least {:.2g} wide",
-             kCrossingRounding, static_cast<double>(transfer_->largest()), drawn.smallestPixel),
-         kCrossingRounding * static_cast<double>(transfer_->largest())});
+             kCrossingRounding, largestExtinction(), drawn.smallestPixel),
+         kCrossingRounding * largestExtinction()});
   shared::FrameCounters counters{};
   if (storage_) gpu::download(context_, storage_->counters, &counters, sizeof counters);
   stats.drawnCells = counters.drawn;
@@ -254,7 +294,8 @@ MemoryUse Renderer::memoryUse() const {
   use.pictureBytes = use.frameBytes - (storage_ ? storage_->sort.sizeBytes() : use.topologyBytes);
   use.hostMeshBytes = hostMeshBytes_;
   use.hostAdjacencyBytes = hostAdjacencyBytes_;
-  use.tableBytes = (transfer_ ? transfer_->sizeBytes() : 0) + (tables_ ? tables_->sizeBytes() : 0);
+  use.tableBytes = (transfer_ ? transfer_->sizeBytes() : 0) + (tables_ ? tables_->sizeBytes() : 0) +
+                   (appearance_ ? appearance_->sizeBytes() : 0) + (surfaces_ ? surfaces_->sizeBytes() : 0);
   return use;
 }
 

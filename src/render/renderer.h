@@ -101,6 +101,13 @@ class Renderer {
   // Colours and extinctions from now on. Cost does not depend on the mesh.
   void setTransferFunction(const TransferFunction& transfer);
 
+  // What is shown beside the volume, or instead of it, from now on: isosurfaces, lighting, clip planes, other ways to
+  // classify. A default appearance costs nothing. Throws Error(Usage) where the projection is not
+  // CellProjection::March, and Error(Device). A transfer function must have been set; one with another emission needs
+  // the appearance to be set again.
+  //   data   makeAppearanceData() of the mesh's; need not outlive the call
+  void setAppearance(const Appearance& appearance, const AppearanceData& data);
+
   // Draws a frame and leaves it on the device. Throws Error(Device), and Error(Usage) for a method of
   // integration that cannot carry the transfer function's emission or the projection. A transfer function must have
   // been set. A table that the method of integration needs is built before, when it is not that of the last frame.
@@ -116,6 +123,8 @@ class Renderer {
   CellProjection projection() const { return projection_.projection; }
 
  private:
+  void prepareTransfer();
+  double largestExtinction() const;  // 1/mesh unit
   // What depends on the mesh's adjacency beside its copy on the device.
   void noteAdjacency(const Adjacency& adjacency);
   // Throws Error(Usage) for a method that cannot carry the transfer function's emission or does not go with the
@@ -157,7 +166,13 @@ class Renderer {
   // Of walking rays:
   std::unique_ptr<MarchPass> marchPass_;
   std::unique_ptr<MarchStorage> marchStorage_;
+  TransferFunction transferFunction_;
   std::unique_ptr<TransferBuffer> transfer_;
+  bool volumeVisible_ = true;
+  Emission appearanceEmission_ = Emission::PerExtinction;  // that appearance_ was made for
+  std::unique_ptr<AppearanceBuffer> appearance_;
+  std::unique_ptr<SurfacePass> surfacePass_;
+  std::unique_ptr<SurfaceStorage> surfaces_;
   std::unique_ptr<IntegrationTables> tables_;                  // made for the first frame
   std::optional<std::pair<Integration, TableOptions>> built_;  // what they hold for transfer_
   std::optional<CellLengths> lengths_;

@@ -153,6 +153,8 @@ TransferBuffer::TransferBuffer(const gpu::Context& context, const TransferTables
       largest_(*std::max_element(tables.largestExtinction.begin(), tables.largestExtinction.end())),
       supportCount_(static_cast<std::uint32_t>(tables.support.size())),
       pieceTexels_(tables.pieces),
+      pointTexels_(tables.points),
+      pointScalarTexels_(tables.pointScalars),
       pieceBuffer_(gpu::makeBuffer(context, tables.pieces, "transfer pieces")),
       binBuffer_(gpu::makeBuffer(context, tables.pieceBins, "transfer piece bins")),
       pointBuffer_(gpu::makeBuffer(context, tables.points, "transfer points")),

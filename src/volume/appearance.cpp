@@ -4,6 +4,11 @@
 
 namespace tetralux {
 
+bool Appearance::isPlain() const {
+  return volumeVisible && volumeShading == Shading::None && isosurfaces.empty() && clip.empty() && surfaces.empty() &&
+         modulations.empty() && !rgbaField && !transfer2d;
+}
+
 bool Appearance::needsGradients() const {
   const bool isSurfaceLit = std::any_of(isosurfaces.begin(), isosurfaces.end(),
                                         [](const Isosurface& i) { return i.shading == Shading::Phong; });

@@ -75,6 +75,9 @@ struct Appearance {
   std::optional<RgbaField> rgbaField;
   std::optional<TransferFunction2d> transfer2d;
 
+  // Whether it is the volume alone.
+  bool isPlain() const;
+
   // Whether gradients at vertices are needed.
   bool needsGradients() const;
 };

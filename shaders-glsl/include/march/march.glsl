@@ -11,52 +11,7 @@
 // another method a round is a cell.
 //
 // Included by march/march.comp in single, by march/march_precise.comp in double precision (include/real.glsl).
-#include "shared/clipped_cells.h"
-#include "shared/frame_view.h"
-#include "shared/limits.h"
-#include "shared/march.h"
-#include "shared/pixel_lists.h"
-#include "shared/spec_ids.h"
-#include "shared/visibility.h"
-
-layout(local_size_x = MARCH_WORKGROUP) in;
-
-#define MESH_CELLS 1
-#define MESH_VERTICES 2
-#define MESH_CELL_SCALARS 3
-#define TOPOLOGY_ACROSS 4
-#define MESH_VERTEX_RESTS 18
-#define MARCH_TILES 17
-#define TRANSFER_PIECES 5
-#define TRANSFER_PIECE_BINS 6
-#define INTEGRATION_NUMBERS 12
-#define INTEGRATION_TABLE_2D 13
-#define INTEGRATION_TABLE_3D 14
-#define TRANSFER_POINTS 15
-#define TRANSFER_POINT_SCALARS 16
-#include "include/dispatch.glsl"
-#include "include/integrate.glsl"
-#include "include/integration/ray_parts.glsl"
-#include "include/march_pixel.glsl"
-#include "include/mesh_access.glsl"
-#include "include/real.glsl"
-#include "include/view_space.glsl"
-#include "include/ray_walk.glsl"
-
-layout(binding = 0, scalar) uniform FrameViewBlock { FrameView view; };
-#define PIXEL_HEADS 7
-#define PIXEL_LINKS 8
-#define PIXEL_RANKS 9
-#include "include/pixel_lists.glsl"
-layout(binding = 10, scalar) buffer Colors { vec4 colors[]; };
-layout(binding = 11, scalar) buffer Counts { MarchCounts counts; };
-
-layout(push_constant, scalar) uniform Push {
-  MeshAddresses mesh;
-  VertexRestsAt restsAt;
-  AcrossAt acrossAt;
-  PixelBand band;
-};
+#include "include/march/march_bindings.glsl"
 
 // Scalar and optics are carried from cell to cell. A field of one scalar per cell jumps there.
 const bool kIsCarried = kIntegration == INTEGRATION_EXACT && !kCellField;
@@ -94,23 +49,7 @@ bool gather(inout PartWalk parts, inout vec3 light, inout float opacity, inout f
   return true;
 }
 
-// Rank of the next face in a list; none: beyond all.
-uint rankOf(uint node) { return node == NO_NODE ? 0xffffffffu : pixelRanks[node].x; }
-
-// Takes the first node out of a list and puts it back where its rank belongs. Returns the new first node.
-uint putBack(uint node) {
-  const uint rank = pixelRanks[node].x;
-  const uint head = pixelLinks[node];
-  uint last = head;
-  for (uint i = 0; i < kLongestList; i++) {
-    const uint next = pixelLinks[last];
-    if (rankOf(next) >= rank) break;
-    last = next;
-  }
-  pixelLinks[node] = pixelLinks[last];
-  pixelLinks[last] = node;
-  return head;
-}
+#include "include/march/march_pixel_lists.glsl"
 
 void main() {
   const uvec2 place = tilePixel(band);

@@ -48,11 +48,10 @@ TolerancePlan planTolerance(double tolerance, double largestLuminance, const Cel
   return plan;
 }
 
-TolerancePlan planForEmissionPerLength(double tolerance) {
+TolerancePlan planFully(double tolerance, const std::string& reason) {
   TolerancePlan plan;
   plan.tolerance = tolerance;
-  plan.decisions.push_back({"integration", "exact, full parts",
-                            "emission per length: what lies behind may be any number of times brighter", 0.0});
+  plan.decisions.push_back({"integration", "exact, full parts", reason, 0.0});
   return plan;
 }
 

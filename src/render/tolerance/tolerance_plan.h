@@ -38,8 +38,9 @@ struct TolerancePlan {
 //   largestLuminance   of all channels, over the field's range
 TolerancePlan planTolerance(double tolerance, double largestLuminance, const CellClasses& classes);
 
-// A plan that leaves everything exact: emission per length has no bound that opacity could be weighed against.
-TolerancePlan planForEmissionPerLength(double tolerance);
+// A plan that leaves everything exact.
+//   reason   why there is no bound for less
+TolerancePlan planFully(double tolerance, const std::string& reason);
 
 // Largest channel of luminance of a transfer function between two scalars.
 double largestLuminance(const TransferFunction& transfer, double low, double high);

@@ -56,7 +56,7 @@ TEST(TolerancePlan, TakesTheMeanOnlyWhereItIsGoodEnoughForEveryCell) {
 }
 
 TEST(TolerancePlan, LeavesEmissionPerLengthExact) {
-  const TolerancePlan plan = planForEmissionPerLength(0.1);
+  const TolerancePlan plan = planFully(0.1, "emission per length");
   EXPECT_EQ(plan.accuracy, PartAccuracy::Full);
   EXPECT_EQ(plan.leastTransmittance, kLeastTransmittance);
 }

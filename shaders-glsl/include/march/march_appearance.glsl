@@ -1,0 +1,147 @@
+// Rays walk as in march.glsl, and beside the volume meet isosurfaces, clip planes and opaque surfaces (docs/appearance.md). A frame
+// without them runs march.glsl, which has never heard of them.
+//
+// A ray that comes to an isosurface leaves the loop over parts: on processors an untaken branch costs what a taken one does, so the
+// surface is shaded outside of it, once for all rays of a subgroup that have come to their next one.
+//
+// Included by march/march_appearance.comp in single, by march/march_appearance_precise.comp in double precision.
+#define APPEARANCE
+#include "include/march/march_bindings.glsl"
+#include "include/march/march_pixel_lists.glsl"
+#include "include/march/appearance_texels.glsl"
+#include "include/march/illumination.glsl"
+#include "include/march/ray_direction.glsl"
+#include "include/march/visible_range.glsl"
+#include "include/march/isosurface.glsl"
+#include "include/march/classification.glsl"
+
+struct Segment {
+  float front, back;  // scalars
+  float thickness;    // mesh units
+  uint rank;          // of its middle, among all segments on the ray
+  bool isVisible;     // not clipped altogether
+  float hiddenFront, hiddenBack;  // shares of the way between the two faces
+};
+
+// The visible part of the segment between two faces.
+Segment visibleSegment(Ray ray, VisibleRange range, uint cell, Place enter, Place leave) {
+  Segment segment = Segment(enter.scalar, leave.scalar, float(leave.depth - enter.depth), 0u, true, 0.0, 0.0);
+  if (kCellField) segment.front = segment.back = loadCellScalar(mesh, cell);
+  const float perThickness = 1.0 / max(segment.thickness, 1e-30);
+  const float hiddenFront = clamp(float(range.begin - enter.depth) * perThickness, 0.0, 1.0);
+  const float hiddenBack = clamp(float(leave.depth - range.end) * perThickness, 0.0, 1.0);
+  const float visible = max(1.0 - hiddenFront - hiddenBack, 0.0);
+  const float rise = segment.back - segment.front;
+  // Ends that are faces keep the scalar that the next cell has, too.
+  if (hiddenFront > 0.0) segment.front += hiddenFront * rise;
+  if (hiddenBack > 0.0) segment.back -= hiddenBack * rise;
+  segment.isVisible = visible > 0.0;
+  segment.rank = depthRank(leave.depth - (hiddenBack + 0.5 * visible) * segment.thickness) | ENTRY_BIT;
+  segment.thickness *= visible * ray.lengthPerDepth;
+  segment.hiddenFront = hiddenFront;
+  segment.hiddenBack = hiddenBack;
+  return segment;
+}
+
+ClassifiedWalk beginClassified(Segment segment, Attributes enter, Attributes leave, vec3 toEye) {
+  return ClassifiedWalk(segmentEnd(enter, leave, segment.hiddenFront, toEye),
+                        segmentEnd(enter, leave, 1.0 - segment.hiddenBack, toEye), segment.front, segment.back,
+                        segment.thickness, 0.0);
+}
+
+void main() {
+  const uvec2 place = tilePixel(band);
+  if (place.x >= band.width || place.y >= band.rowCount) return;
+  const uint pixel = place.y * band.width + place.x;
+  uint node = pixelHeads[pixel];
+  if (node == NO_NODE) return;
+  const uvec2 picturePlace = uvec2(place.x, band.firstRow + place.y);
+  const Ray ray = pixelRay(view, picturePlace);
+  const VisibleRange range = visibleRange(view, ray, picturePlace, pixel);
+  const vec3 toEye = directionToEye(view, picturePlace);
+  vec4 color = colors[pixel];
+  float clearness = 1.0;
+  if (kEmissionPerLength) {
+    if (color.a < 0.0) clearness = -color.a;
+    color.a = 1.0 - clearness;
+  }
+  uint rounds = 0;
+  for (uint walk = 0; walk < MARCH_ROUNDS; walk++) {
+    const uint code = pixelRanks[node].y;
+    const uint nextRank = rankOf(pixelLinks[node]);
+    Face face = loadFace(mesh, restsAt, ray, code);
+    Behind next = behindFace(mesh, code);
+    Behind at = next;
+    Place enter = meetFirst(face);
+    Attributes enterAttributes;
+    if (kClassified) enterAttributes = faceAttributes(face);
+
+    crossCell(mesh, restsAt, acrossAt, ray, next, face);
+    Place leave = meetNext(face, enter);
+    Segment segment = visibleSegment(ray, range, at.cell, enter, leave);
+    RayParts parts = beginRay(segment.front, segment.back, segment.thickness);
+    Attributes leaveAttributes;
+    ClassifiedWalk classified;
+    if (kClassified) {
+      leaveAttributes = faceAttributes(face);
+      classified = beginClassified(segment, enterAttributes, leaveAttributes, toEye);
+    }
+    bool isThrough = false;
+    bool isOvertaken = segment.rank > nextRank;
+    for (uint surfaceRound = 0; surfaceRound < MARCH_LAST_ROUND; surfaceRound++) {
+      bool isAtSurface = false;
+      for (uint round = 0; round < MARCH_LAST_ROUND; round++) {
+        if (isOvertaken) break;
+        // Of what lies in front of this part: its own opacity comes too late to be waited for.
+        const bool isOpaque = isWalkOpaque(color.a, clearness);
+        bool isLast = true;
+        parts.surface = -1.0;
+        if (segment.isVisible)
+          isLast = kClassified ? walkClassifiedPart(classified, parts, color.rgb, color.a, clearness)
+                               : walkRayPart(parts, color.rgb, color.a, clearness);
+        rounds++;
+        isThrough = (isLast && (next.cell == NO_CELL || leave.depth >= range.end)) || isOpaque;
+        isAtSurface = kIsosurfaces && parts.surface >= 0.0;
+        if (isThrough || isAtSurface || (isLast && rounds >= MARCH_ROUNDS)) break;
+        if (isLast) {
+          at = next;
+          enter = leave;
+          crossCell(mesh, restsAt, acrossAt, ray, next, face);
+          leave = meetNext(face, enter);
+          const bool wasVisible = segment.isVisible;
+          segment = visibleSegment(ray, range, at.cell, enter, leave);
+          isOvertaken = segment.rank > nextRank;
+          if (kCellField || ((kClipPlanes > 0u || kNearCells) && !wasVisible))
+            parts = beginRay(segment.front, segment.back, segment.thickness);
+          parts.back = segment.back;
+          parts.thickness = segment.thickness;
+          if (kClassified) {
+            enterAttributes = leaveAttributes;
+            leaveAttributes = faceAttributes(face);
+            classified = beginClassified(segment, enterAttributes, leaveAttributes, toEye);
+          }
+        }
+      }
+      if (!kIsosurfaces) break;
+      if (isThrough || !isAtSurface) break;
+      const float share = clamp((parts.scalar - enter.scalar) / (leave.scalar - enter.scalar), 0.0, 1.0);
+      addSurface(int(parts.surface), parts.rising, mesh, restsAt, ray, at, face, share, toEye, color.rgb, color.a, clearness);
+      isThrough = isWalkOpaque(color.a, clearness);
+      if (isThrough) break;
+    }
+    if (isThrough) {
+      node = isWalkOpaque(color.a, clearness) ? NO_NODE : pixelLinks[node];
+    } else if (isOvertaken) {
+      // Layers overlap: a segment of another one comes first.
+      pixelRanks[node] = uvec2(segment.rank, cellFace(mesh, at.cell, at.vertex));
+      node = putBack(node);
+    } else {
+      pixelRanks[node].y = cellFace(mesh, next.cell, next.vertex);
+    }
+    if (node == NO_NODE || rounds >= MARCH_ROUNDS) break;
+  }
+  if (kEmissionPerLength && node != NO_NODE) color.a = -clearness;  // kept with all its digits for the next dispatch
+  colors[pixel] = color;
+  pixelHeads[pixel] = node;
+  if (node != NO_NODE) atomicAdd(counts.unfinished, 1u);
+}

@@ -1,0 +1,68 @@
+// What is shown beside the volume, on the device (shared/appearance.h).
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "gpu/pipeline.h"
+#include "render/appearance_texels.h"
+#include "render/mesh_space.h"
+#include "render/transfer_buffer.h"
+#include "view/camera.h"
+#include "volume/appearance.h"
+
+namespace tetralux::render {
+
+class AppearanceBuffer {
+ public:
+  // Copies what is needed to the device: gradients, numbers and colours at vertices only where something uses them, 16
+  // bytes per vertex each. Throws Error(Device).
+  //   emission   the transfer function's
+  AppearanceBuffer(const gpu::Context& context, const Appearance& appearance, const AppearanceData& data,
+                   const MeshSpace& space, Emission emission);
+
+  // Merges the transfer function's control points with the isovalues.
+  void setTransfer(const TransferBuffer& transfer);
+
+  // Clip planes as a camera sees them.
+  void setCamera(const Camera& camera);
+
+  // What march_appearance.comp is specialised for.
+  const gpu::SpecConstants& specConstants() const { return constants_; }
+
+  // Largest extinction that does not come from the transfer function, with factors, 1/mesh unit.
+  double largestExtinction(double ofTransferFunction) const;
+
+  const gpu::TexelView& texels() const { return texelView_; }
+  const gpu::TexelView& gradients() const { return gradientView_; }
+  const gpu::TexelView& numbers() const { return numberView_; }
+  const gpu::TexelView& colors() const { return colorView_; }
+  const gpu::TexelView& points() const { return pointView_; }
+  const gpu::TexelView& pointScalars() const { return pointScalarView_; }
+  std::uint64_t sizeBytes() const;
+
+ private:
+  const gpu::Context& context_;
+  std::vector<ClipPlane> clip_;
+  MeshSpace space_;
+  std::vector<float> isovalues_;
+  gpu::SpecConstants constants_;
+  double ownExtinction_ = 0.0;  // of colours at vertices or a transfer function of two dimensions
+  bool replacesTransfer_ = false;
+  double largestFactor_ = 1.0;
+  gpu::Buffer texelBuffer_;
+  gpu::Buffer gradientBuffer_;
+  gpu::Buffer numberBuffer_;
+  gpu::Buffer colorBuffer_;
+  gpu::Buffer pointBuffer_;
+  gpu::Buffer pointScalarBuffer_;
+  gpu::TexelView texelView_;
+  gpu::TexelView gradientView_;
+  gpu::TexelView numberView_;
+  gpu::TexelView colorView_;
+  gpu::TexelView pointView_;
+  gpu::TexelView pointScalarView_;
+};
+
+}  // namespace tetralux::render
