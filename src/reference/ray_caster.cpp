@@ -13,6 +13,7 @@
 #include "reference/piece_count.h"
 #include "reference/pixel_counts.h"
 #include "reference/pixel_tiles.h"
+#include "reference/ray_painter.h"
 #include "reference/segment_integral.h"
 
 namespace tetralux::reference {
@@ -52,7 +53,9 @@ ReferencePixel composite(std::vector<RaySegment>& segments, const TransferFuncti
 // Casts the rays of one tile's targets, which are sorted by row.
 class TileCaster {
  public:
-  TileCaster(const ReferenceScene& scene, const CellFootprint& footprint) : scene_(scene), footprint_(footprint) {}
+  //   painter   of a scene with an appearance; null: the volume alone
+  TileCaster(const ReferenceScene& scene, const CellFootprint& footprint, const RayPainter* painter)
+      : scene_(scene), footprint_(footprint), painter_(painter) {}
 
   void cast(std::span<const Target> targets, std::span<const std::uint32_t> cells,
             std::vector<ReferencePixel>& result) {
@@ -64,10 +67,17 @@ class TileCaster {
     }
     for (const std::uint32_t cell : cells) collect(cell, targets);
     for (size_t i = 0; i < targets.size(); i++)
-      result[targets[i].result] = composite(segments_[i], scene_.transfer, rays_[i].lengthPerDepth);
+      result[targets[i].result] =
+          painter_ ? paint(i) : composite(segments_[i], scene_.transfer, rays_[i].lengthPerDepth);
   }
 
  private:
+  ReferencePixel paint(size_t i) {
+    cells_.clear();
+    for (const RaySegment& segment : segments_[i]) cells_.push_back(segment.cell);
+    return painter_->paint(rays_[i], cells_);
+  }
+
   void collect(std::uint32_t cell, std::span<const Target> targets) {
     const auto vertices = cellVertices(scene_.mesh, cell);
     const PixelBox box = footprint_(vertices);
@@ -89,6 +99,8 @@ class TileCaster {
 
   const ReferenceScene& scene_;
   const CellFootprint& footprint_;
+  const RayPainter* painter_;
+  std::vector<std::uint32_t> cells_;
   std::vector<Ray> rays_;
   std::vector<std::vector<RaySegment>> segments_;
 };
@@ -102,7 +114,9 @@ void castTiles(const ReferenceScene& scene, const PixelCounts* wanted, const Til
   const CellFootprint footprint(scene.camera, scene.size);
   const PixelTiles tiles(scene.mesh, footprint, scene.size, wanted);
   const size_t tileCount = static_cast<size_t>(tiles.columns()) * tiles.rows();
-  std::vector<TileCaster> casters(workerCount(), TileCaster(scene, footprint));
+  std::optional<RayPainter> painter;
+  if (scene.appearance) painter.emplace(scene);
+  std::vector<TileCaster> casters(workerCount(), TileCaster(scene, footprint, painter ? &*painter : nullptr));
   std::vector<std::vector<Target>> storages(workerCount());
   Progress progress("reference", tileCount);
   parallelFor(tileCount, 1, [&](size_t begin, size_t end, unsigned worker) {

@@ -30,8 +30,9 @@ struct ReferenceScene {
 struct ReferencePixel {
   glm::dvec3 light{0.0};
   double alpha = 0.0;
-  std::uint32_t layers = 0;  // cells met
-  std::uint32_t pieces = 0;  // linear pieces of their segments, cut at control points (piece_count.h)
+  std::uint32_t layers = 0;     // cells met
+  std::uint32_t pieces = 0;     // linear pieces of their segments, cut at control points (piece_count.h)
+  std::uint32_t crossings = 0;  // of isosurfaces, composited
 };
 
 // One value per pixel, row by row from the top. All processors; a progress bar. Memory beside the result: 12 bytes
