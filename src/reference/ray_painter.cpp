@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <tuple>
 
 #include "base/check.h"
 #include "reference/cell_ray.h"
+#include "reference/classified_integral.h"
 #include "reference/isosurface_crossings.h"
 #include "reference/piece_count.h"
 #include "reference/pixel_tiles.h"
@@ -89,15 +91,16 @@ class RayLight {
 class Segment {
  public:
   Segment(const ReferenceScene& scene, const Ray& ray, const RayChord& chord)
-      : scene_(scene), ray_(ray), chord_(chord) {}
+      : scene_(scene), appearance_(*scene.appearance), ray_(ray), chord_(chord.chord), cell_(chord.cell) {
+    if (appearance_.volumeVisible && isClassified(appearance_)) classify();
+  }
 
   // Composites everything in the cell. False when nothing behind it is seen.
   bool composite(RayLight& light, ReferencePixel& pixel) const {
-    const Appearance& appearance = *scene_.appearance;
-    const CellSegment& segment = chord_.chord.segment;
+    const CellSegment& segment = chord_.segment;
     double uFrom = 0.0;
     double sFrom = segment.sFront;
-    for (const Crossing& crossing : isosurfaceCrossings(appearance.isosurfaces, segment.sFront, segment.sBack)) {
+    for (const Crossing& crossing : isosurfaceCrossings(appearance_.isosurfaces, segment.sFront, segment.sBack)) {
       const Isosurface& surface = *crossing.surface;
       addVolume(uFrom, crossing.share, sFrom, surface.value, light, pixel);
       light.addSurface(colour(crossing), surface.opacity);
@@ -111,50 +114,108 @@ class Segment {
   }
 
  private:
+  double length() const { return (chord_.segment.back - chord_.segment.front) * ray_.lengthPerDepth; }
+
+  glm::dvec3 toEye() const { return -ray_.direction / ray_.lengthPerDepth; }
+
   void addVolume(double uFrom, double uTo, double sFrom, double sTo, RayLight& light, ReferencePixel& pixel) const {
-    if (!(uFrom < uTo)) return;
-    const CellSegment& segment = chord_.chord.segment;
-    const double length = (uTo - uFrom) * (segment.back - segment.front) * ray_.lengthPerDepth;
-    light.add(integrateSegment(scene_.transfer, sFrom, sTo, length));
-    pixel.pieces += pieceCount(scene_.transfer, sFrom, sTo);
+    if (!appearance_.volumeVisible || !(uFrom < uTo)) return;
+    if (isClassified(appearance_)) {
+      const ClassifiedOptics classified = integrateClassified(scene_.transfer, appearance_, classified_, uFrom, uTo);
+      light.add(classified.optics);
+      pixel.pieces += classified.pieces;
+    } else {
+      light.add(integrateSegment(scene_.transfer, sFrom, sTo, (uTo - uFrom) * length()));
+      pixel.pieces += pieceCount(scene_.transfer, sFrom, sTo);
+    }
+  }
+
+  // What the volume's optics depend on, at both ends of the visible part.
+  void classify() {
+    const AppearanceData& data = *scene_.data;
+    classified_.scalar = {chord_.segment.sFront, chord_.segment.sBack};
+    classified_.length = length();
+    for (size_t i = 0; i < appearance_.modulations.size(); i++) {
+      if (appearance_.modulations[i].by == ModulatedBy::ViewCosine)
+        classified_.modulators.push_back({viewCosine(0.0), viewCosine(1.0)});
+      else
+        classified_.modulators.push_back(ends(data.modulators[i]));
+    }
+    if (appearance_.rgbaField) {
+      classified_.rgbaFront = glm::max(interpolated(data.rgba, 0.0), glm::dvec4(0.0));
+      classified_.rgbaBack = glm::max(interpolated(data.rgba, 1.0), glm::dvec4(0.0));
+    } else if (appearance_.transfer2d) {
+      classified_.gradientMagnitude = ends(data.gradientMagnitudes);
+    }
+    if (appearance_.volumeShading != Shading::None) {
+      classified_.lightFront = illuminate(appearance_.lighting, interpolated(data.gradients, 0.0), toEye());
+      classified_.lightBack = illuminate(appearance_.lighting, interpolated(data.gradients, 1.0), toEye());
+    }
+  }
+
+  // Where all four vertices have one value, which a step of a curve may lie at, exactly that one.
+  EndValues ends(const std::vector<double>& values) const {
+    const CellVertices& v = scene_.mesh.cells[cell_];
+    const auto [low, high] = std::minmax({values[v[0]], values[v[1]], values[v[2]], values[v[3]]});
+    return {std::clamp(interpolated(values, 0.0), low, high), std::clamp(interpolated(values, 1.0), low, high)};
+  }
+
+  double viewCosine(double u) const {
+    const glm::dvec3 gradient = interpolated(scene_.data->gradients, u);
+    const double steepness = glm::length(gradient);
+    return steepness > 0.0 ? std::min(1.0, std::abs(glm::dot(gradient, toEye())) / steepness) : 1.0;
   }
 
   glm::dvec3 colour(const Crossing& crossing) const {
     const Isosurface& surface = *crossing.surface;
     const glm::dvec3& rgb = crossing.isRising ? surface.rgb : surface.backRgb;
     if (surface.shading == Shading::None) return rgb;
-    const glm::dvec3 normal = surface.shading == Shading::Flat ? cellGradient() : gradientAt(crossing.share);
-    return illuminate(scene_.appearance->lighting, normal, -ray_.direction / ray_.lengthPerDepth).lit(rgb);
+    const glm::dvec3 normal =
+        surface.shading == Shading::Flat ? cellGradient() : interpolated(scene_.data->gradients, crossing.share);
+    return illuminate(appearance_.lighting, normal, toEye()).lit(rgb);
   }
 
   glm::dvec3 cellGradient() const {
-    return CellGeometry(cellVertices(scene_.mesh, chord_.cell), cellScalars(scene_.mesh, scene_.field, chord_.cell))
-        .gradient();
+    return CellGeometry(cellVertices(scene_.mesh, cell_), cellScalars(scene_.mesh, scene_.field, cell_)).gradient();
   }
 
-  // Of the gradients at the vertices.
-  glm::dvec3 gradientAt(double u) const {
-    const CellVertices& vertices = scene_.mesh.cells[chord_.cell];
-    glm::dvec3 sum(0.0);
-    for (size_t i = 0; i < 4; i++) {
-      const double weight = (1.0 - u) * chord_.chord.weightsFront[i] + u * chord_.chord.weightsBack[i];
-      sum += weight * scene_.data->gradients[vertices[i]];
-    }
+  // Of values at the mesh's vertices, at a share of the visible part.
+  template <typename Value>
+  Value interpolated(const std::vector<Value>& values, double u) const {
+    const CellVertices& vertices = scene_.mesh.cells[cell_];
+    Value sum(0.0);
+    for (size_t i = 0; i < 4; i++)
+      sum += std::lerp(chord_.weightsFront[i], chord_.weightsBack[i], u) * values[vertices[i]];
     return sum;
   }
 
   const ReferenceScene& scene_;
+  const Appearance& appearance_;
   const Ray& ray_;
-  const RayChord& chord_;
+  const CellChord& chord_;
+  std::uint32_t cell_;
+  ClassifiedSegment classified_;
 };
+
+void checkData(const ReferenceScene& scene) {
+  CHECK(scene.appearance && scene.data);
+  const Appearance& appearance = *scene.appearance;
+  const AppearanceData& data = *scene.data;
+  const size_t points = scene.mesh.pointCount();
+  CHECK(appearance.isosurfaces.empty() || scene.field.association == FieldAssociation::Point);
+  if (appearance.needsGradients()) CHECK_EQ(data.gradients.size(), points);
+  if (!appearance.volumeVisible) return;
+  CHECK_EQ(data.modulators.size(), appearance.modulations.size());
+  for (size_t i = 0; i < data.modulators.size(); i++) {
+    if (appearance.modulations[i].by != ModulatedBy::ViewCosine) CHECK_EQ(data.modulators[i].size(), points);
+  }
+  if (appearance.rgbaField) CHECK_EQ(data.rgba.size(), points);
+  if (appearance.transfer2d) CHECK_EQ(data.gradientMagnitudes.size(), points);
+}
 
 }  // namespace
 
-RayPainter::RayPainter(const ReferenceScene& scene) : scene_(scene) {
-  CHECK(scene.appearance && scene.data);
-  CHECK(scene.appearance->isosurfaces.empty() || scene.field.association == FieldAssociation::Point);
-  if (scene.appearance->needsGradients()) CHECK_EQ(scene.data->gradients.size(), scene.mesh.pointCount());
-}
+RayPainter::RayPainter(const ReferenceScene& scene) : scene_(scene) { checkData(scene); }
 
 ReferencePixel RayPainter::paint(const Ray& ray, std::span<const std::uint32_t> cells) const {
   ReferencePixel pixel;
