@@ -1,6 +1,7 @@
 #include "render/appearance_texels.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/check.h"
 #include "shared/appearance.h"
@@ -8,10 +9,10 @@
 namespace tetralux::render {
 namespace {
 
-NumberRange rangeOf(const std::vector<double>& values) {
-  if (values.empty()) return {};
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  return {0.5 * *low + 0.5 * *high, *high > *low ? *high - *low : 1.0};
+// Around the places where something depends on a number: there its digits matter, whatever values it has elsewhere.
+NumberRange rangeOf(const std::vector<double>& places) {
+  const auto [low, high] = std::minmax_element(places.begin(), places.end());
+  return {0.5 * *low + 0.5 * *high, *high > *low ? *high - *low : std::max(std::abs(*high), 1e-300)};
 }
 
 void addCurve(const FactorCurve& curve, const NumberRange& range, std::vector<glm::vec4>& texels) {
@@ -38,17 +39,25 @@ bool AppearanceNumbers::any() const {
 
 AppearanceNumbers listNumbers(const Appearance& appearance, const AppearanceData& data) {
   AppearanceNumbers numbers;
-  const auto use = [&](ModulatedBy by, const std::vector<double>& values) {
-    numbers.values[static_cast<size_t>(by)] = &values;
-    numbers.ranges[static_cast<size_t>(by)] = rangeOf(values);
-  };
+  std::array<std::vector<double>, kNumberKinds> places;
   CHECK_EQ(appearance.modulations.size(), data.modulators.size());
   for (size_t i = 0; i < appearance.modulations.size(); i++) {
     const Modulation& modulation = appearance.modulations[i];
-    numbers.curves[static_cast<size_t>(modulation.by)] = &modulation.curve;
-    if (modulation.by != ModulatedBy::ViewCosine) use(modulation.by, data.modulators[i]);
+    const auto kind = static_cast<size_t>(modulation.by);
+    numbers.curves[kind] = &modulation.curve;
+    if (modulation.by == ModulatedBy::ViewCosine) continue;
+    numbers.values[kind] = &data.modulators[i];
+    for (const FactorPoint& point : modulation.curve.points()) places[kind].push_back(point.value);
   }
-  if (appearance.transfer2d) use(ModulatedBy::GradientMagnitude, data.gradientMagnitudes);
+  if (appearance.transfer2d) {
+    const auto kind = static_cast<size_t>(ModulatedBy::GradientMagnitude);
+    const std::vector<double>& axis = appearance.transfer2d->gradients();
+    numbers.values[kind] = &data.gradientMagnitudes;
+    places[kind].insert(places[kind].end(), axis.begin(), axis.end());
+  }
+  for (size_t kind = 0; kind < kNumberKinds; kind++) {
+    if (!places[kind].empty()) numbers.ranges[kind] = rangeOf(places[kind]);
+  }
   return numbers;
 }
 

@@ -11,7 +11,7 @@
 
 namespace tetralux::render {
 
-// Numbers at vertices become (a - center) / range, within [-0.5, 0.5], as scalars do.
+// Numbers at vertices become (a - center) / range.
 struct NumberRange {
   double center = 0.0;
   double range = 1.0;
