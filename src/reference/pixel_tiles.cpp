@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/check.h"
 #include "base/parallel.h"
 #include "reference/pixel_counts.h"
 
@@ -56,17 +57,18 @@ CellFootprint::CellFootprint(const Camera& camera, ImageSize size)
       size_(size),
       perspective_(camera.projection == Projection::Perspective) {}
 
-PixelBox CellFootprint::operator()(const std::array<glm::dvec3, 4>& vertices) const {
+PixelBox CellFootprint::operator()(std::span<const glm::dvec3> vertices) const {
   std::array<glm::dvec3, 4> view;
+  CHECK_LE(vertices.size(), view.size());
   bool anyInFront = false;
-  for (size_t i = 0; i < 4; i++) {
+  for (size_t i = 0; i < vertices.size(); i++) {
     view[i] = rotation_ * (vertices[i] - eye_);
     anyInFront = anyInFront || view[i].z > 0.0;
   }
   if (!anyInFront) return {};
   Range x;
   Range y;
-  for (size_t i = 0; i < 4; i++) {
+  for (size_t i = 0; i < vertices.size(); i++) {
     if (!perspective_) {
       x.add(view[i].x);
       y.add(view[i].y);
@@ -78,7 +80,7 @@ PixelBox CellFootprint::operator()(const std::array<glm::dvec3, 4>& vertices) co
       continue;
     }
     // An edge that crosses the eye's plane runs off to infinity on the side where it crosses.
-    for (size_t j = 0; j < 4; j++) {
+    for (size_t j = 0; j < vertices.size(); j++) {
       if (!(view[j].z > 0.0)) continue;
       const double t = view[j].z / (view[j].z - view[i].z);
       const glm::dvec3 crossing = view[j] + t * (view[i] - view[j]);
@@ -99,18 +101,26 @@ PixelBox CellFootprint::operator()(const std::array<glm::dvec3, 4>& vertices) co
 }
 
 PixelTiles::PixelTiles(const TetMesh& mesh, const CellFootprint& footprint, ImageSize size, const PixelCounts* wanted)
+    : PixelTiles(
+          mesh.cellCount(),
+          [&](size_t cell) {
+            const PixelBox box = footprint(cellVertices(mesh, cell));
+            return box.empty() || (wanted && wanted->count(box) == 0) ? PixelBox{} : box;
+          },
+          size) {}
+
+PixelTiles::PixelTiles(size_t count, const std::function<PixelBox(size_t)>& boxOf, ImageSize size)
     : columns_(columnsOf(size)), rows_(rowsOf(size)), starts_(static_cast<size_t>(columns_) * rows_ + 1, 0) {
-  const size_t cellCount = mesh.cellCount();
   struct TileBox {
     std::uint16_t lowX, lowY, highX, highY;
   };
   constexpr TileBox kNone{1, 1, 0, 0};
-  std::vector<TileBox> boxes(cellCount);
-  parallelFor(cellCount, 1 << 14, [&](size_t begin, size_t end, unsigned) {
-    for (size_t cell = begin; cell < end; cell++) {
-      const PixelBox box = footprint(cellVertices(mesh, cell));
-      boxes[cell] =
-          box.empty() || (wanted && wanted->count(box) == 0)
+  std::vector<TileBox> boxes(count);
+  parallelFor(count, 1 << 14, [&](size_t begin, size_t end, unsigned) {
+    for (size_t i = begin; i < end; i++) {
+      const PixelBox box = boxOf(i);
+      boxes[i] =
+          box.empty()
               ? kNone
               : TileBox{static_cast<std::uint16_t>(box.lowX / kSide), static_cast<std::uint16_t>(box.lowY / kSide),
                         static_cast<std::uint16_t>(box.highX / kSide), static_cast<std::uint16_t>(box.highY / kSide)};
@@ -127,8 +137,8 @@ PixelTiles::PixelTiles(const TetMesh& mesh, const CellFootprint& footprint, Imag
   for (size_t tile = 1; tile < starts_.size(); tile++) starts_[tile] += starts_[tile - 1];
   cells_.resize(starts_.back());
   std::vector<std::uint64_t> next(starts_.begin(), starts_.end() - 1);
-  for (size_t cell = 0; cell < cellCount; cell++)
-    forEachTile(boxes[cell], [&](size_t tile) { cells_[next[tile]++] = static_cast<std::uint32_t>(cell); });
+  for (size_t i = 0; i < count; i++)
+    forEachTile(boxes[i], [&](size_t tile) { cells_[next[tile]++] = static_cast<std::uint32_t>(i); });
 }
 
 std::span<const std::uint32_t> PixelTiles::cells(std::uint32_t tile) const {

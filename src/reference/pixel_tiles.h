@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -18,12 +19,13 @@ struct PixelBox {
   bool empty() const { return lowX > highX || lowY > highY; }
 };
 
-// Boxes of pixels whose rays may meet a cell, in front of the eye. Never too small; too large only by rounding and
-// because it is a box.
+// Boxes of pixels whose rays may meet a cell or a triangle, in front of the eye. Never too small; too large only by
+// rounding and because it is a box.
 class CellFootprint {
  public:
   CellFootprint(const Camera& camera, ImageSize size);
-  PixelBox operator()(const std::array<glm::dvec3, 4>& vertices) const;
+  //   vertices   world; one to four, what is between them counts
+  PixelBox operator()(std::span<const glm::dvec3> vertices) const;
 
  private:
   glm::dmat3 rotation_;
@@ -35,7 +37,8 @@ class CellFootprint {
 
 class PixelCounts;
 
-// Square tiles of the image, each with the list of cells whose footprint holds a wanted pixel and reaches the tile.
+// Square tiles of the image, each with the list of cells whose footprint holds a wanted pixel and reaches the tile; or
+// of other things that have a box of pixels.
 class PixelTiles {
  public:
   static constexpr std::int32_t kSide = 16;  // pixels
@@ -43,12 +46,15 @@ class PixelTiles {
   //   wanted   the pixels of interest; null: all are
   PixelTiles(const TetMesh& mesh, const CellFootprint& footprint, ImageSize size, const PixelCounts* wanted);
 
+  //   boxOf   of thing 0 to count - 1: a box inside the image, or an empty one; called from several threads
+  PixelTiles(size_t count, const std::function<PixelBox(size_t)>& boxOf, ImageSize size);
+
   std::uint32_t columns() const { return columns_; }
   std::uint32_t rows() const { return rows_; }
   static std::uint32_t columnsOf(ImageSize size) { return (size.width + kSide - 1) / kSide; }
   static std::uint32_t rowsOf(ImageSize size) { return (size.height + kSide - 1) / kSide; }
 
-  // Cells of a tile, ascending.
+  // Cells, or things, of a tile, ascending.
   std::span<const std::uint32_t> cells(std::uint32_t tile) const;
 
  private:

@@ -15,6 +15,7 @@
 #include "reference/pixel_tiles.h"
 #include "reference/ray_painter.h"
 #include "reference/segment_integral.h"
+#include "reference/surface_tiles.h"
 
 namespace tetralux::reference {
 namespace {
@@ -50,12 +51,21 @@ ReferencePixel composite(std::vector<RaySegment>& segments, const TransferFuncti
   return pixel;
 }
 
+// What rays need of a scene with an appearance.
+struct AppearanceCaster {
+  RayPainter painter;
+  SurfaceTiles surfaces;
+
+  explicit AppearanceCaster(const ReferenceScene& scene)
+      : painter(scene), surfaces(scene.data->surfaces, scene.camera, scene.size) {}
+};
+
 // Casts the rays of one tile's targets, which are sorted by row.
 class TileCaster {
  public:
-  //   painter   of a scene with an appearance; null: the volume alone
-  TileCaster(const ReferenceScene& scene, const CellFootprint& footprint, const RayPainter* painter)
-      : scene_(scene), footprint_(footprint), painter_(painter) {}
+  //   appearance   null: the volume alone
+  TileCaster(const ReferenceScene& scene, const CellFootprint& footprint, const AppearanceCaster* appearance)
+      : scene_(scene), footprint_(footprint), appearance_(appearance) {}
 
   void cast(std::span<const Target> targets, std::span<const std::uint32_t> cells,
             std::vector<ReferencePixel>& result) {
@@ -67,15 +77,16 @@ class TileCaster {
     }
     for (const std::uint32_t cell : cells) collect(cell, targets);
     for (size_t i = 0; i < targets.size(); i++)
-      result[targets[i].result] =
-          painter_ ? paint(i) : composite(segments_[i], scene_.transfer, rays_[i].lengthPerDepth);
+      result[targets[i].result] = appearance_ ? paint(i, targets[i].position)
+                                              : composite(segments_[i], scene_.transfer, rays_[i].lengthPerDepth);
   }
 
  private:
-  ReferencePixel paint(size_t i) {
+  ReferencePixel paint(size_t i, const PixelPosition& position) {
     cells_.clear();
     for (const RaySegment& segment : segments_[i]) cells_.push_back(segment.cell);
-    return painter_->paint(rays_[i], cells_);
+    const SurfaceHit hit = appearance_->surfaces.nearest(rays_[i], position.x, position.y);
+    return appearance_->painter.paint(rays_[i], cells_, hit);
   }
 
   void collect(std::uint32_t cell, std::span<const Target> targets) {
@@ -99,7 +110,7 @@ class TileCaster {
 
   const ReferenceScene& scene_;
   const CellFootprint& footprint_;
-  const RayPainter* painter_;
+  const AppearanceCaster* appearance_;
   std::vector<std::uint32_t> cells_;
   std::vector<Ray> rays_;
   std::vector<std::vector<RaySegment>> segments_;
@@ -114,9 +125,9 @@ void castTiles(const ReferenceScene& scene, const PixelCounts* wanted, const Til
   const CellFootprint footprint(scene.camera, scene.size);
   const PixelTiles tiles(scene.mesh, footprint, scene.size, wanted);
   const size_t tileCount = static_cast<size_t>(tiles.columns()) * tiles.rows();
-  std::optional<RayPainter> painter;
-  if (scene.appearance) painter.emplace(scene);
-  std::vector<TileCaster> casters(workerCount(), TileCaster(scene, footprint, painter ? &*painter : nullptr));
+  std::optional<AppearanceCaster> appearance;
+  if (scene.appearance) appearance.emplace(scene);
+  std::vector<TileCaster> casters(workerCount(), TileCaster(scene, footprint, appearance ? &*appearance : nullptr));
   std::vector<std::vector<Target>> storages(workerCount());
   Progress progress("reference", tileCount);
   parallelFor(tileCount, 1, [&](size_t begin, size_t end, unsigned worker) {

@@ -217,17 +217,19 @@ void checkData(const ReferenceScene& scene) {
 
 RayPainter::RayPainter(const ReferenceScene& scene) : scene_(scene) { checkData(scene); }
 
-ReferencePixel RayPainter::paint(const Ray& ray, std::span<const std::uint32_t> cells) const {
+ReferencePixel RayPainter::paint(const Ray& ray, std::span<const std::uint32_t> cells, const SurfaceHit& hit) const {
   ReferencePixel pixel;
-  const DepthRange range = keptRange(scene_.appearance->clip, ray);
+  DepthRange range = keptRange(scene_.appearance->clip, ray);
+  range.high = std::min(range.high, hit.depth);
   std::vector<RayChord> chords = chordsOf(scene_, ray, cells);
   std::erase_if(chords, [&](RayChord& chord) { return !cutChord(chord.chord, range); });
   sortByMiddle(chords);
   RayLight light(pixel);
   for (const RayChord& chord : chords) {
     pixel.layers++;
-    if (!Segment(scene_, ray, chord).composite(light, pixel)) break;
+    if (!Segment(scene_, ray, chord).composite(light, pixel)) return pixel;
   }
+  if (hit.surface) light.addSurface(surfaceColour(hit, ray, scene_.appearance->lighting), 1.0);
   return pixel;
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "reference/ray_caster.h"
+#include "reference/surface_tiles.h"
 
 namespace tetralux::reference {
 
@@ -14,9 +15,10 @@ class RayPainter {
   // Refers to the scene, which must have an appearance and its data.
   explicit RayPainter(const ReferenceScene& scene);
 
-  // What the ray sees of these cells.
+  // What the ray sees of these cells, and of a surface behind them.
   //   cells   that it meets, in any order
-  ReferencePixel paint(const Ray& ray, std::span<const std::uint32_t> cells) const;
+  //   hit     where it meets an opaque surface
+  ReferencePixel paint(const Ray& ray, std::span<const std::uint32_t> cells, const SurfaceHit& hit = {}) const;
 
  private:
   const ReferenceScene& scene_;

@@ -10,11 +10,11 @@
 
 namespace tetralux::reference {
 
-// int_0^1 exp(-D(x)) e(x) dx, and 1 - exp(-D(1)), with a relative error of about 1e-13 while the emission is a
-// polynomial of no more than twenty degrees or so. D is evaluated as the polynomial that it is, so the only error is
-// the quadrature's, of Gauss and Legendre with 16 points (Abramowitz and Stegun 1964, table 25.4), over panels that are
-// halved until none absorbs more than kPanelDepth. Exact to degree 31; exp(-D) leaves
-// terms of higher degree with coefficients below 0.5^k / k!.
+// int_0^1 exp(-D(x)) e(x) dx and 1 - exp(-D(1)), with a relative error of about 1e-13 while e is a polynomial of no
+// more than about twenty degrees. D is evaluated as the polynomial that it is, so there is no error but the
+// quadrature's: of Gauss and Legendre with 16 points (Abramowitz and Stegun 1964, table 25.4), which is exact to degree
+// 31, over panels that are halved until none absorbs more than kPanelDepth, so that the term of exp(-D) with D^k is
+// below 0.5^k / k!.
 class SmoothIntegral {
  public:
   //   depth   D, the optical depth from the front to x; it does not fall
