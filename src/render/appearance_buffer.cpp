@@ -13,9 +13,10 @@ namespace {
 
 constexpr size_t kGrain = 1 << 16;
 
-// Texels of all vertices; one of zeros where nothing uses them.
+// Texels of all vertices; no buffer where nothing uses them.
 template <typename Texel>
 gpu::Buffer makeVertexTexels(const gpu::Context& context, size_t vertices, const char* name, const Texel& texel) {
+  if (vertices == 0) return {};
   return gpu::makeBuffer<glm::vec4>(context, vertices, name, [&](std::span<glm::vec4> texels, size_t first) {
     parallelFor(texels.size(), kGrain, [&](size_t begin, size_t end, unsigned) {
       for (size_t i = begin; i < end; i++) texels[i] = texel(first + i);
@@ -45,11 +46,9 @@ gpu::Buffer makeNumberBuffer(const gpu::Context& context, const AppearanceNumber
   });
 }
 
-gpu::Buffer makeColorBuffer(const gpu::Context& context, const std::vector<glm::dvec4>& rgba, const MeshSpace& space,
-                            Emission emission) {
-  const double perLength = emission == Emission::PerLength ? space.scale : 1.0;
+gpu::Buffer makeColorBuffer(const gpu::Context& context, const std::vector<glm::dvec4>& rgba, const MeshSpace& space) {
   return makeVertexTexels(context, rgba.size(), "vertex colors", [&](size_t i) {
-    return glm::vec4(glm::dvec4(glm::dvec3(rgba[i]) * perLength, rgba[i].w * space.scale));
+    return glm::vec4(glm::dvec4(glm::dvec3(rgba[i]), rgba[i].w * space.scale));
   });
 }
 
@@ -83,19 +82,22 @@ gpu::SpecConstants listConstants(const Appearance& appearance, const AppearanceN
 }  // namespace
 
 AppearanceBuffer::AppearanceBuffer(const gpu::Context& context, const Appearance& appearance,
-                                   const AppearanceData& data, const MeshSpace& space, Emission emission)
+                                   const AppearanceData& data, const MeshSpace& space)
     : context_(context), clip_(appearance.clip), space_(space) {
   const AppearanceNumbers numbers = listNumbers(appearance, data);
   constants_ = listConstants(appearance, numbers);
-  texelBuffer_ =
-      gpu::makeBuffer(context, listAppearanceTexels(appearance, numbers, space, emission), "appearance texels");
+  texelBuffer_ = gpu::makeBuffer(context, listAppearanceTexels(appearance, numbers, space), "appearance texels");
   gradientBuffer_ = makeGradientBuffer(context, data.gradients);
   numberBuffer_ = makeNumberBuffer(context, numbers);
-  colorBuffer_ = makeColorBuffer(context, data.rgba, space, emission);
+  colorBuffer_ = makeColorBuffer(context, data.rgba, space);
   texelView_ = gpu::TexelView(context, texelBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT);
-  gradientView_ = gpu::TexelView(context, gradientBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT);
-  numberView_ = gpu::TexelView(context, numberBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT);
-  colorView_ = gpu::TexelView(context, colorBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT);
+  const auto view = [&](const gpu::Buffer& buffer) {
+    // A binding needs a view, used or not.
+    return gpu::TexelView(context, buffer.sizeBytes() > 0 ? buffer : texelBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT);
+  };
+  gradientView_ = view(gradientBuffer_);
+  numberView_ = view(numberBuffer_);
+  colorView_ = view(colorBuffer_);
   for (const Isosurface& surface : appearance.isosurfaces) isovalues_.push_back(space.scalar(surface.value));
 
   replacesTransfer_ = appearance.rgbaField || appearance.transfer2d;

@@ -18,9 +18,8 @@ class AppearanceBuffer {
  public:
   // Copies what is needed to the device: gradients, numbers and colours at vertices only where something uses them, 16
   // bytes per vertex each. Throws Error(Device).
-  //   emission   the transfer function's
   AppearanceBuffer(const gpu::Context& context, const Appearance& appearance, const AppearanceData& data,
-                   const MeshSpace& space, Emission emission);
+                   const MeshSpace& space);
 
   // Merges the transfer function's control points with the isovalues.
   void setTransfer(const TransferBuffer& transfer);

@@ -23,12 +23,11 @@ void addCurve(const FactorCurve& curve, const NumberRange& range, std::vector<gl
 }
 
 void addTransfer(const TransferFunction2d& transfer, const NumberRange& gradients, const MeshSpace& space,
-                 Emission emission, std::vector<glm::vec4>& texels) {
+                 std::vector<glm::vec4>& texels) {
   for (const double s : transfer.scalars()) texels.emplace_back(space.scalar(s), 0.0f, 0.0f, 0.0f);
   for (const double g : transfer.gradients()) texels.emplace_back(gradients.normalized(g), 0.0f, 0.0f, 0.0f);
-  const double perLength = emission == Emission::PerLength ? space.scale : 1.0;
   for (const OpticalSample& sample : transfer.samples())
-    texels.emplace_back(glm::vec3(sample.luminance * perLength), static_cast<float>(sample.extinction * space.scale));
+    texels.emplace_back(glm::vec3(sample.luminance), static_cast<float>(sample.extinction * space.scale));
 }
 
 }  // namespace
@@ -62,7 +61,7 @@ AppearanceNumbers listNumbers(const Appearance& appearance, const AppearanceData
 }
 
 std::vector<glm::vec4> listAppearanceTexels(const Appearance& appearance, const AppearanceNumbers& numbers,
-                                            const MeshSpace& space, Emission emission) {
+                                            const MeshSpace& space) {
   std::vector<glm::vec4> texels(appearance.clip.size() * shared::APPEARANCE_CLIP_TEXELS);
   const Lighting& lighting = appearance.lighting;
   texels.emplace_back(lighting.ambient, lighting.diffuse, lighting.specular, lighting.shininess);
@@ -79,7 +78,7 @@ std::vector<glm::vec4> listAppearanceTexels(const Appearance& appearance, const 
   }
   if (appearance.transfer2d)
     addTransfer(*appearance.transfer2d, numbers.ranges[static_cast<size_t>(ModulatedBy::GradientMagnitude)], space,
-                emission, texels);
+                texels);
   return texels;
 }
 

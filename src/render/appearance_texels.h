@@ -35,6 +35,6 @@ AppearanceNumbers listNumbers(const Appearance& appearance, const AppearanceData
 
 // All texels; those of clip planes, which depend on the view, are zero.
 std::vector<glm::vec4> listAppearanceTexels(const Appearance& appearance, const AppearanceNumbers& numbers,
-                                            const MeshSpace& space, Emission emission);
+                                            const MeshSpace& space);
 
 }  // namespace tetralux::render

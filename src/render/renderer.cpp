@@ -75,29 +75,26 @@ void Renderer::noteAdjacency(const Adjacency& adjacency) {
 }
 
 void Renderer::setTransferFunction(const TransferFunction& transfer) {
-  CHECK(!appearance_ || appearanceEmission_ == transfer.emission());
   transferFunction_ = transfer;
   prepareTransfer();
 }
 
 void Renderer::setAppearance(const Appearance& appearance, const AppearanceData& data) {
-  CHECK(transfer_ != nullptr);
   appearance_.reset();
   surfaces_.reset();
-  volumeVisible_ = appearance.volumeVisible;
+  isTransferReplaced_ = appearance.replacesTransferFunction();
   if (!appearance.isPlain()) {
     if (!marchPass_)
       fail(ErrorCode::Usage, "--projection: found '{}' with more than a volume to show, expected march",
            projectionName(projection()));
-    appearanceEmission_ = transferFunction_.emission();
-    appearance_ = std::make_unique<AppearanceBuffer>(context_, appearance, data, mesh_.space(), appearanceEmission_);
+    appearance_ = std::make_unique<AppearanceBuffer>(context_, appearance, data, mesh_.space());
     CHECK_EQ(appearance.surfaces.size(), data.surfaces.size());
     if (!data.surfaces.empty()) {
       if (!surfacePass_) surfacePass_ = std::make_unique<SurfacePass>(context_);
       surfaces_ = std::make_unique<SurfaceStorage>(context_, data.surfaces, mesh_.space());
     }
   }
-  prepareTransfer();
+  if (transfer_) prepareTransfer();
 }
 
 double Renderer::largestExtinction() const {
@@ -106,7 +103,7 @@ double Renderer::largestExtinction() const {
 }
 
 void Renderer::prepareTransfer() {
-  const TransferFunction transfer = volumeVisible_ ? transferFunction_ : TransferFunction();
+  const TransferFunction transfer = isTransferReplaced_ ? TransferFunction() : transferFunction_;
   transfer_ = std::make_unique<TransferBuffer>(context_, transfer, mesh_.space());
   if (appearance_) appearance_->setTransfer(*transfer_);
   choice_.reset();

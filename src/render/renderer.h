@@ -101,10 +101,9 @@ class Renderer {
   // Colours and extinctions from now on. Cost does not depend on the mesh.
   void setTransferFunction(const TransferFunction& transfer);
 
-  // What is shown beside the volume, or instead of it, from now on: isosurfaces, lighting, clip planes, other ways to
-  // classify. A default appearance costs nothing. Throws Error(Usage) where the projection is not
-  // CellProjection::March, and Error(Device). A transfer function must have been set; one with another emission needs
-  // the appearance to be set again.
+  // What is shown beside the volume, or instead of it, from now on: isosurfaces, lighting, clip planes, surfaces, other
+  // ways to classify. A default appearance costs nothing. Throws Error(Usage) where the projection is not
+  // CellProjection::March, and Error(Device).
   //   data   makeAppearanceData() of the mesh's; need not outlive the call
   void setAppearance(const Appearance& appearance, const AppearanceData& data);
 
@@ -168,8 +167,7 @@ class Renderer {
   std::unique_ptr<MarchStorage> marchStorage_;
   TransferFunction transferFunction_;
   std::unique_ptr<TransferBuffer> transfer_;
-  bool volumeVisible_ = true;
-  Emission appearanceEmission_ = Emission::PerExtinction;  // that appearance_ was made for
+  bool isTransferReplaced_ = false;
   std::unique_ptr<AppearanceBuffer> appearance_;
   std::unique_ptr<SurfacePass> surfacePass_;
   std::unique_ptr<SurfaceStorage> surfaces_;

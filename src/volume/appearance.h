@@ -75,6 +75,10 @@ struct Appearance {
   std::optional<RgbaField> rgbaField;
   std::optional<TransferFunction2d> transfer2d;
 
+  // Whether the transfer function's control points say nothing: another classification does, or the volume is not
+  // shown.
+  bool replacesTransferFunction() const { return !volumeVisible || rgbaField || transfer2d; }
+
   // Whether it is the volume alone.
   bool isPlain() const;
 
