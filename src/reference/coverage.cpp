@@ -1,18 +1,32 @@
 #include "reference/coverage.h"
 
-#include <algorithm>
 #include <atomic>
 
 #include "base/check.h"
 #include "base/parallel.h"
 #include "reference/cell_ray.h"
+#include "reference/cell_shows.h"
 #include "reference/pixel_counts.h"
 #include "reference/pixel_tiles.h"
+#include "reference/ray_interval.h"
+#include "reference/surface_tiles.h"
 
 namespace tetralux::reference {
 namespace {
 
 bool isEmpty(const glm::vec4& pixel) { return pixel == glm::vec4(0.0f); }
+
+void markSurfaces(const ReferenceScene& scene, std::vector<std::uint8_t>& covered) {
+  const SurfaceTiles tiles(scene.data->surfaces, scene.camera, scene.size);
+  parallelFor(scene.size.height, 1, [&](size_t begin, size_t end, unsigned) {
+    for (auto y = static_cast<std::uint32_t>(begin); y < end; y++) {
+      for (std::uint32_t x = 0; x < scene.size.width; x++) {
+        std::uint8_t& flag = covered[static_cast<size_t>(y) * scene.size.width + x];
+        if (flag == 0 && tiles.nearest(scene.camera.pixelRay(scene.size, x, y), x, y).surface) flag = 1;
+      }
+    }
+  });
+}
 
 }  // namespace
 
@@ -25,19 +39,20 @@ std::vector<std::uint8_t> coveredPixels(const ReferenceScene& scene, const Image
   const CellFootprint footprint(scene.camera, scene.size);
 
   const auto markRays = [&](size_t cell, const PixelBox& box) {
-    const auto scalars = cellScalars(scene.mesh, scene.field, cell);
-    const auto [low, high] = std::minmax_element(scalars.begin(), scalars.end());
-    if (scene.transfer.isTransparent(*low, *high)) return;
-    const CellGeometry geometry(cellVertices(scene.mesh, cell), scalars);
+    if (!cellMayShow(scene, cell)) return;
+    const CellGeometry geometry(cellVertices(scene.mesh, cell), cellScalars(scene.mesh, scene.field, cell));
     if (geometry.empty()) return;
+    const bool isVolumeSeen = volumeMayShow(scene, cell);
     for (std::int32_t y = box.lowY; y <= box.highY; y++) {
       for (std::int32_t x = box.lowX; x <= box.highX; x++) {
         std::uint8_t& flag = covered[static_cast<size_t>(y) * scene.size.width + static_cast<size_t>(x)];
         const std::atomic_ref shared(flag);  // threads meet where cells do
         if (shared.load(std::memory_order_relaxed) != 0) continue;
-        CellSegment segment;
-        if (geometry.intersect(scene.camera.pixelRay(scene.size, x, y), segment))
-          shared.store(1, std::memory_order_relaxed);
+        const Ray ray = scene.camera.pixelRay(scene.size, x, y);
+        CellChord chord;
+        if (!geometry.intersect(ray, chord)) continue;
+        if (scene.appearance && !cutChord(chord, keptRange(scene.appearance->clip, ray))) continue;
+        if (isVolumeSeen || isosurfaceMayShow(scene, chord.segment)) shared.store(1, std::memory_order_relaxed);
       }
     }
   };
@@ -47,6 +62,7 @@ std::vector<std::uint8_t> coveredPixels(const ReferenceScene& scene, const Image
       if (empty.count(box) > 0) markRays(cell, box);
     }
   });
+  if (scene.appearance && !scene.data->surfaces.empty()) markSurfaces(scene, covered);
   return covered;
 }
 

@@ -197,13 +197,22 @@ class Segment {
   ClassifiedSegment classified_;
 };
 
+bool interpolatesGradients(const Appearance& appearance) {
+  const auto isPhong = [](const Isosurface& surface) { return surface.shading == Shading::Phong; };
+  const auto isByView = [](const Modulation& modulation) { return modulation.by == ModulatedBy::ViewCosine; };
+  return std::any_of(appearance.isosurfaces.begin(), appearance.isosurfaces.end(), isPhong) ||
+         (appearance.volumeVisible &&
+          (appearance.volumeShading != Shading::None ||
+           std::any_of(appearance.modulations.begin(), appearance.modulations.end(), isByView)));
+}
+
 void checkData(const ReferenceScene& scene) {
   CHECK(scene.appearance && scene.data);
   const Appearance& appearance = *scene.appearance;
   const AppearanceData& data = *scene.data;
   const size_t points = scene.mesh.pointCount();
   CHECK(appearance.isosurfaces.empty() || scene.field.association == FieldAssociation::Point);
-  if (appearance.needsGradients()) CHECK_EQ(data.gradients.size(), points);
+  if (interpolatesGradients(appearance)) CHECK_EQ(data.gradients.size(), points);
   if (!appearance.volumeVisible) return;
   CHECK_EQ(data.modulators.size(), appearance.modulations.size());
   for (size_t i = 0; i < data.modulators.size(); i++) {
