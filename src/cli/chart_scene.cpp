@@ -85,7 +85,12 @@ LoadedChartScene::LoadedChartScene(const ChartScene& scene, const SceneOptions& 
     : name_(scene.name),
       folder_(std::move(folder)),
       loaded_(scene.path.empty() ? generate(scene, options) : loadScene(scene.path, options)),
-      hash_(sceneHash(loaded_)) {}
+      hash_(sceneHash(loaded_)) {
+  // Most of what a chart compares cannot draw it.
+  if (!loaded_.scene.appearance.isPlain())
+    fail(ErrorCode::Usage, "{}: found more than a volume to show, expected a scene with a transfer function alone",
+         scene.path);
+}
 
 const ExactPicture& LoadedChartScene::exactPicture() {
   if (exact_) return *exact_;
