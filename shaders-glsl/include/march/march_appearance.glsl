@@ -118,7 +118,11 @@ void main() {
           if (kClassified) {
             enterAttributes = leaveAttributes;
             leaveAttributes = faceAttributes(face);
+            // Where nothing cuts segments, one begins with what the last one ended with.
+            const bool isWhole = kClipPlanes == 0u && !kRayEnds && !kNearCells;
+            const SegmentEnd last = classified.back;
             classified = beginClassified(segment, enterAttributes, leaveAttributes, toEye);
+            if (isWhole) classified.front = last;
           }
         }
       }
