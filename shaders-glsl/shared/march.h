@@ -35,6 +35,9 @@ struct MarchCounts {
   uint jobs;        // wanted; there may be room for fewer
   uint nodes;       // of the pixels' lists, likewise
   uint unfinished;  // rays that are not through
+  // With SPEC_COUNT_WORK, of 64 bits each:
+  uint cellsLow, cellsHigh;  // steps from cell to cell
+  uint partsLow, partsHigh;  // segments, or parts of segments, that were integrated
 };
 
 SHARED_END

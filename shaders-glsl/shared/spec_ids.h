@@ -37,5 +37,6 @@
 #define SPEC_TRANSFER_COLUMNS 36     // uint: scalars of a transfer function of two dimensions; 0: none
 #define SPEC_TRANSFER_ROWS 37        // uint: its gradients
 #define SPEC_CHOOSE_TRIANGLE 38      // bool: second run of surface/meet.comp
+#define SPEC_COUNT_WORK 39           // bool: rays that walk count their steps (MarchCounts)
 
 #endif

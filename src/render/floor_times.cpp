@@ -1,6 +1,8 @@
 #include "render/floor_times.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <vector>
 
 #include "gpu/recorder.h"
@@ -38,6 +40,22 @@ double copyMs(const gpu::Context& context, std::uint64_t bytes) {
     return recorder.passTimes().front().gpuMs;
   });
   return ms * std::max(1.0, static_cast<double>(bytes) / 2.0 / static_cast<double>(copied));
+}
+
+Camera besideMesh(const Camera& camera, ImageSize size, const MeshSpace& space) {
+  // Of a ball around the mesh, which lies within [-1, 1] in mesh space: in view space, world units.
+  const double radius = std::sqrt(3.0) * space.scale;
+  const glm::dmat3 rotation = camera.viewRotation();
+  const glm::dvec3 middle = rotation * (space.center - camera.eye);
+  const double farthest = std::max(middle.z + radius, radius);
+  const double halfWidth =
+      0.5 * size.width / camera.pixelsPerUnit(size) * (camera.projection == Projection::Perspective ? farthest : 1.0);
+  const glm::dvec3 right = glm::transpose(rotation)[0];
+  const glm::dvec3 shift = (middle.x + halfWidth + 2.0 * radius) * right;
+  Camera beside = camera;
+  beside.eye += shift;
+  beside.center += shift;
+  return beside;
 }
 
 }  // namespace tetralux::render

@@ -154,6 +154,16 @@ void findRayEnds(gpu::Recorder& recorder, const FrameInputs& inputs, const March
   } while (inputs.surfaces->grow());
 }
 
+// Adds what a band had to do.
+void addWork(MarchWork& work, const shared::MarchCounts& band, std::uint64_t faces) {
+  const auto wide = [](std::uint32_t low, std::uint32_t high) { return std::uint64_t{high} << 32 | low; };
+  work.faces += faces;
+  work.jobs += band.jobs;
+  work.entries += band.nodes;
+  work.cells += wide(band.cellsLow, band.cellsHigh);
+  work.parts += wide(band.partsLow, band.partsHigh);
+}
+
 }  // namespace
 
 FrameStorage::FrameStorage(const gpu::Context& context, std::uint32_t cellCount, SortVariant sortVariant,
@@ -206,8 +216,9 @@ OrderReport drawFrame(gpu::Recorder& recorder, const FrameInputs& inputs, FrameP
   return sequence.report;
 }
 
-void marchFrame(gpu::Recorder& recorder, const FrameInputs& inputs, MarchPass& pass, MarchStorage& storage,
-                const gpu::AttachmentImage& target) {
+MarchWork marchFrame(gpu::Recorder& recorder, const FrameInputs& inputs, MarchPass& pass, MarchStorage& storage,
+                     const gpu::AttachmentImage& target) {
+  MarchWork work;
   storage.prepare(inputs.size);
   for (std::uint32_t row = 0; row < inputs.size.height;) {
     const shared::PixelBand band = storage.bandFrom(row);
@@ -227,6 +238,7 @@ void marchFrame(gpu::Recorder& recorder, const FrameInputs& inputs, MarchPass& p
         untilThrough(recorder, inputs, storage, "march",
                      [&](gpu::CommandBuffer& commands) { pass.recordMarch(commands, inputs, storage, band); });
     if (storage.grow(counts)) continue;
+    addWork(work, counts, storage.topology().boundaryCount());
 
     gpu::CommandBuffer& commands = recorder.pass("march");
     if (inputs.surfaces) inputs.surfacePass->recordBehind(commands, *inputs.surfaces, storage.colors(), band);
@@ -237,6 +249,7 @@ void marchFrame(gpu::Recorder& recorder, const FrameInputs& inputs, MarchPass& p
     row += band.rowCount;
   }
   recorder.sync();
+  return work;
 }
 
 }  // namespace tetralux::render

@@ -107,6 +107,7 @@ void MarchPass::recordMarch(gpu::CommandBuffer& commands, const FrameInputs& inp
   const WalkPush push{mesh.addresses(), storage.vertexRestAddress(), storage.topology().acrossAddress(), band};
   gpu::SpecConstants constants = variant.specConstants();
   constants.push_back({SPEC_EMISSION_PER_LENGTH, variant.emissionPerLength});
+  constants.push_back({SPEC_COUNT_WORK, variant.countWork});
   for (const gpu::SpecConstant& constant : variant.integration.specConstants()) constants.push_back(constant);
   gpu::Descriptors bindings{storage.view(),
                             mesh.cells(),

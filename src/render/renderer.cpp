@@ -159,7 +159,7 @@ void Renderer::prepareTables(Integration integration, const TableOptions& option
 
 Renderer::Drawn Renderer::drawInto(gpu::Recorder& recorder, const Camera& camera, ImageSize size,
                                    const IntegrationVariant& integration, std::uint32_t output,
-                                   const FrameTarget& target, bool checkOrder) {
+                                   const FrameTarget& target, bool checkOrder, bool countWork) {
   const FrameSetup setup =
       makeFrameSetup(camera, size, mesh_.space(), mesh_.cellCount(), transfer_->supportCount(), kCentroidKeyBits);
   gpu::upload(context_, marchPass_ ? marchStorage_->view() : storage_->view, &setup.view, sizeof setup.view);
@@ -174,15 +174,16 @@ Renderer::Drawn Renderer::drawInto(gpu::Recorder& recorder, const Camera& camera
   variant.subpixels = subpixels_;
   variant.emissionPerLength = transfer_->emission() == Emission::PerLength;
   variant.doublePrecision = usesDoublePrecision(setup);
+  variant.countWork = countWork;
   variant.integration = integration;
   variant.output = output;
   if (appearance_) appearance_->setCamera(camera);
   const FrameInputs inputs{context_,  mesh_, *transfer_,        *tables_,           setup,
                            variant,   size,  appearance_.get(), surfacePass_.get(), surfaces_.get(),
                            checkOrder};
-  Drawn drawn{{}, variant.doublePrecision, setup.smallestPixel};
+  Drawn drawn{{}, {}, variant.doublePrecision, setup.smallestPixel};
   if (marchPass_) {
-    marchFrame(recorder, inputs, *marchPass_, *marchStorage_, target.picture);
+    drawn.march = marchFrame(recorder, inputs, *marchPass_, *marchStorage_, target.picture);
     drawn.order.order = Order::Exact;
   } else {
     drawn.order = drawFrame(recorder, inputs, *passes_, *order_, *storage_, target);
@@ -211,7 +212,7 @@ Target Renderer::chooseTarget(const Camera& camera, ImageSize size, const Integr
   gpu::Recorder recorder(context_, timing);
   drawInto(recorder, camera, smaller, integration,
            *roundsToNearest_ ? shared::OUTPUT_ROUNDINGS : shared::OUTPUT_TRUNCATIONS, {images.picture()},
-           /*checkOrder=*/false);
+           /*checkOrder=*/false, /*countWork=*/false);
   double worst = 0.0;
   for (const glm::vec4& pixel : images.read().pixels) worst = std::max(worst, static_cast<double>(pixel.x));
   choice_ = {camera, size, integration,
@@ -245,8 +246,9 @@ FrameStats Renderer::draw(const Camera& camera, ImageSize size, const RenderOpti
                                : stats.target == Target::Rgba8Dither ? shared::OUTPUT_DITHERED
                                                                      : shared::OUTPUT_COLOR;
   gpu::Recorder recorder(context_, timing);
-  const Drawn drawn = drawInto(recorder, camera, size, integration, output, target, checkOrder_);
+  const Drawn drawn = drawInto(recorder, camera, size, integration, output, target, checkOrder_, options.countWork);
   stats.order = drawn.order;
+  if (marchPass_ && options.countWork) stats.march = drawn.march;
 
   stats.doublePrecision = drawn.doublePrecision;
   if (stats.plan && marchPass_)

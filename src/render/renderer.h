@@ -29,6 +29,8 @@ struct RenderOptions {
   bool timed = false;  // time every pass (costs a little)
   // What is drawn of cells is a faint grey, not integrated: the least that pass "raster" costs.
   bool constantColor = false;
+  // Count what rays that walk have to do (FrameStats::march): a pipeline of its own, slower than others.
+  bool countWork = false;
 };
 
 struct RendererOptions {
@@ -65,6 +67,7 @@ struct FrameStats {
   CellProjection projection = CellProjection::Pt;
   bool doublePrecision = false;  // rays walked in it
   OrderReport order;
+  std::optional<MarchWork> march;  // when counted, of rays that walk
   Integration integration = Integration::Exact;
   Interpolation interpolation = Interpolation::Perspective;
   std::optional<TableBuild> tableBuild;  // of a table of three dimensions
@@ -135,11 +138,12 @@ class Renderer {
   // What a frame turned out to need.
   struct Drawn {
     OrderReport order;
+    MarchWork march;
     bool doublePrecision = false;
     double smallestPixel = 0.0;  // FrameSetup
   };
   Drawn drawInto(gpu::Recorder& recorder, const Camera& camera, ImageSize size, const IntegrationVariant& integration,
-                 std::uint32_t output, const FrameTarget& target, bool checkOrder);
+                 std::uint32_t output, const FrameTarget& target, bool checkOrder, bool countWork);
   // Target::Auto: draws a small frame that counts roundings and applies halfFloatHolds() to the worst of its pixels.
   // Adds what it took to the statistics, as pass "measure".
   Target chooseTarget(const Camera& camera, ImageSize size, const IntegrationVariant& integration,

@@ -190,6 +190,25 @@ TEST_F(Commands, BenchMeasuresFloors) {
   EXPECT_EQ(measured, (std::vector<std::string>{"cull", "sort", "project", "raster"}));
 }
 
+TEST_F(Commands, BenchMeasuresFloorsOfTheMarch) {
+  const json all = json::parse(
+      run({"bench", "m.vtu", "--size", "32x32", "--frames", "2", "--max-rmse", "1", "--floor", "--json", "--quiet"})
+          .out);
+  const json& passes = all[0]["floor"]["passes"];
+  ASSERT_EQ(passes.size(), 2u);
+  for (const json& pass : passes) {
+    for (const char* key : {"ratio", "copy_ms", "empty_ms", "bytes", "items"})
+      EXPECT_GT(pass[key].get<double>(), 0.0) << key << " " << pass;
+    EXPECT_TRUE(pass["draw_ms"].is_null());
+  }
+  EXPECT_EQ(passes[0]["pass"], "enter");
+  EXPECT_EQ(passes[0]["items"], passes[0]["counts"]["jobs"]);
+  EXPECT_GT(passes[0]["counts"]["entries"].get<int>(), 100);
+  EXPECT_EQ(passes[1]["pass"], "march");
+  EXPECT_EQ(passes[1]["items"], passes[1]["counts"]["cells"]);
+  EXPECT_GE(passes[1]["counts"]["parts"].get<int>(), passes[1]["counts"]["cells"].get<int>());
+}
+
 TEST_F(Commands, BenchRefusesAWrongPicture) {
   const auto result = runTetralux({"bench", "m.vtu", "--size", "32x32", "--max-rmse", "0", "--quiet"}, dir_.path());
   EXPECT_EQ(result.status, 1);

@@ -74,6 +74,7 @@ void main() {
     Place enter = meetFirst(face);
 
     crossCell(mesh, restsAt, acrossAt, ray, next, face);
+    countCell();
     Place leave = meetNext(face, enter);
     Segment segment = cellSegment(ray, at.cell, enter, leave);
     RayParts carried;
@@ -97,6 +98,7 @@ void main() {
         at = next;
         enter = leave;
         crossCell(mesh, restsAt, acrossAt, ray, next, face);
+        countCell();
         leave = meetNext(face, enter);
         segment = cellSegment(ray, at.cell, enter, leave);
         isOvertaken = segment.rank > nextRank;
@@ -123,4 +125,8 @@ void main() {
   colors[pixel] = color;
   pixelHeads[pixel] = node;
   if (node != NO_NODE) atomicAdd(counts.unfinished, 1u);
+  if (kCountWork) {
+    ADD_WITH_CARRY(counts.cellsLow, counts.cellsHigh, cellSteps);
+    ADD_WITH_CARRY(counts.partsLow, counts.partsHigh, rounds);
+  }
 }

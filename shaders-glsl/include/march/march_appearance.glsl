@@ -77,6 +77,7 @@ void main() {
     if (kClassified) enterAttributes = faceAttributes(face);
 
     crossCell(mesh, restsAt, acrossAt, ray, next, face);
+    countCell();
     Place leave = meetNext(face, enter);
     Segment segment = visibleSegment(ray, range, at.cell, enter, leave);
     RayParts parts = beginRay(segment.front, segment.back, segment.thickness);
@@ -107,6 +108,7 @@ void main() {
           at = next;
           enter = leave;
           crossCell(mesh, restsAt, acrossAt, ray, next, face);
+          countCell();
           leave = meetNext(face, enter);
           const bool wasVisible = segment.isVisible;
           segment = visibleSegment(ray, range, at.cell, enter, leave);
@@ -148,4 +150,8 @@ void main() {
   colors[pixel] = color;
   pixelHeads[pixel] = node;
   if (node != NO_NODE) atomicAdd(counts.unfinished, 1u);
+  if (kCountWork) {
+    ADD_WITH_CARRY(counts.cellsLow, counts.cellsHigh, cellSteps);
+    ADD_WITH_CARRY(counts.partsLow, counts.partsHigh, rounds);
+  }
 }

@@ -34,6 +34,7 @@ layout(constant_id = SPEC_VOLUME) const bool kVolume = true;
 #include "include/dispatch.glsl"
 #include "include/integrate.glsl"
 #include "include/integration/ray_parts.glsl"
+#include "include/march/count_work.glsl"
 #include "include/march_pixel.glsl"
 #include "include/mesh_access.glsl"
 #include "include/real.glsl"
