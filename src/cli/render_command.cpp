@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/progress.h"
+#include "base/task_queue.h"
 #include "cli/certify_options.h"
 #include "cli/commands.h"
 #include "cli/frame_sequence.h"
@@ -14,6 +15,9 @@
 
 namespace tetralux::cli {
 namespace {
+
+// Pictures that may wait to be written while the next is drawn: one in hand, and one so that the writer need not wait.
+constexpr size_t kPicturesInFlight = 2;
 
 class RenderCommand : public Command {
  public:
@@ -58,22 +62,25 @@ class RenderCommand : public Command {
     Certifier certifier(certifyOptions_);
     RunStats run;
     Progress progress("render", frames_);
+    // A processor that draws is not disturbed while it is timed.
+    TaskQueue writing(options.timed && context.info().isCpu ? 0 : kPicturesInFlight);
     for (std::uint32_t frame = 0; frame < frames_; frame++) {
       const Camera camera = loaded.scene.camera.turned(360.0 * frame / frames_);
       render::FrameStats stats = renderer.draw(camera, loaded.scene.size, options);
-      const Image image = renderer.readImage(&stats);
+      const auto image = std::make_shared<const Image>(renderer.readImage(&stats));
       failOnValidationMessages();
       exr.attributes = settings(loaded, context.info(), stats);
-      const auto certificate = certifier.certify(loaded.exact(camera), image);
+      const auto certificate = certifier.certify(loaded.exact(camera), *image);
       exr.attributes.insert(exr.attributes.end(), certificate.begin(), certificate.end());
-      for (const FramePattern& pattern : patterns) writeImage(image, pattern.name(frame), loaded.scene, camera, exr);
-      if (frame == 0) {
-        run.firstFrameMs = millisecondsSinceStart();
-        if (explain_) printPlan(*stats.plan);
-      }
+      writing.push([&, image, frame, camera, exr] {
+        for (const FramePattern& pattern : patterns) writeImage(*image, pattern.name(frame), loaded.scene, camera, exr);
+        if (frame == 0) run.firstFrameMs = millisecondsSinceStart();
+        progress.advance();
+      });
+      if (frame == 0 && explain_) printPlan(*stats.plan);
       run.frames.push_back(stats);
-      progress.advance();
     }
+    writing.finish();
     if (!statsFile_.empty()) {
       nlohmann::ordered_json json = statsJson(loaded, context.info(), renderer, run);
       json["certify"] = certifier.json();

@@ -108,6 +108,23 @@ TEST(BadInput, OutputsThatCannotBeWrittenLeaveOldFilesAlone) {
   EXPECT_EQ(readTextFile(dir / "old.exr"), "old");
 }
 
+// The first frame can be written, the second cannot: it says so, whatever else is being drawn by then.
+TEST(BadInput, AFrameThatCannotBeWrittenEndsTheSequence) {
+  const TempDir dir;
+  dir.write("m.vtu", kMesh);
+  dir.write("s.json", kScene);
+  std::filesystem::create_directory(dir / "f0");
+  for (const char* stats : {"", "s_out.json"}) {
+    std::vector<std::string> arguments = {"render", "s.json", "--frames", "9", "-o", "f%d/out.png", "--quiet"};
+    if (*stats) arguments.insert(arguments.end(), {"--stats", stats});
+    const auto result = runTetralux(arguments, dir.path());
+    EXPECT_EQ(result.status, 5);
+    EXPECT_EQ(result.err, "tetralux: f1/out.png: no such folder f1\n");
+    EXPECT_TRUE(std::filesystem::exists(dir / "f0/out.png"));
+    EXPECT_EQ(dir.entries(), 3u);  // mesh, scene, folder
+  }
+}
+
 TEST(BadInput, NoDeviceIsStatusFour) {
   const TempDir dir;
   dir.write("m.vtu", kMesh);
