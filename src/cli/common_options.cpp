@@ -15,6 +15,12 @@
 #include "shared/pixel_lists.h"
 
 namespace tetralux::cli {
+namespace {
+
+// --force-path small-memory: less than any mesh and picture take.
+constexpr std::uint64_t kSmallMemoryBytes = 16;
+
+}  // namespace
 
 void SceneOptions::add(CLI::App& app) {
   app.add_option("--size", size, "Image size in pixels, WxH (default: the scene's; 1024x768 for a mesh)");
@@ -66,7 +72,7 @@ void DeviceOptions::add(CLI::App& app) {
   addTable(app);
   app.add_option("--force-path", forcePath, "For tests: take a code path that this device would not choose")
       ->check(CLI::IsMember({"wide-addressing", "sort-tiles", "sort-chunks", "table-fetch", "snap-vertices",
-                             "walk-single", "walk-double"}));
+                             "walk-single", "walk-double", "small-memory"}));
 }
 
 void DeviceOptions::addDevice(CLI::App& app) {
@@ -106,6 +112,12 @@ render::RenderOptions DeviceOptions::renderOptions() const {
 
 std::optional<double> DeviceOptions::toleranceValue() const {
   return tolerance.empty() ? std::nullopt : std::optional(parseTolerance(tolerance));
+}
+
+gpu::ContextOptions DeviceOptions::contextOptions() const {
+  gpu::ContextOptions options{device, validate};
+  if (forcePath == "small-memory") options.availableBytes = kSmallMemoryBytes;
+  return options;
 }
 
 render::RendererOptions DeviceOptions::rendererOptions() const {

@@ -46,7 +46,7 @@ struct DeviceOptions {
   // Parts of add() for commands that draw nothing.
   void addDevice(CLI::App& app);  // --device and --validate
   void addTable(CLI::App& app);   // --table-size, --table-format, --table-build
-  gpu::ContextOptions contextOptions() const { return {device, validate}; }
+  gpu::ContextOptions contextOptions() const;
   render::RendererOptions rendererOptions() const;
   // Everything that is chosen per frame; not timed. Throws Error(Usage).
   render::RenderOptions renderOptions() const;

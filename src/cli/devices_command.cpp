@@ -6,6 +6,11 @@
 namespace tetralux::cli {
 namespace {
 
+std::string available(const gpu::MemoryBudget& memory) {
+  if (!memory.isReported) return "unknown how much of it is available";
+  return fmt::format("{} MiB available", memory.availableBytes >> 20);
+}
+
 class DevicesCommand : public Command {
  public:
   explicit DevicesCommand(CLI::App&) {}
@@ -17,7 +22,7 @@ class DevicesCommand : public Command {
       fmt::print("   type               {}\n", d.type);
       fmt::print("   driver             {}\n", d.driver);
       fmt::print("   Vulkan             {}\n", d.apiVersion);
-      fmt::print("   memory             {} MiB\n", d.memoryBytes >> 20);
+      fmt::print("   memory             {} MiB, {}\n", d.memory.heapBytes >> 20, available(d.memory));
       fmt::print("   largest buffer     {} MiB, {} MiB by descriptor, {} texels\n", d.largestAllocationBytes >> 20,
                  d.largestStorageRangeBytes >> 20, d.largestTexelBuffer);
       fmt::print("   largest image      {} pixels a side\n", d.largestImageSide);

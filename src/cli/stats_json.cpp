@@ -121,6 +121,9 @@ nlohmann::ordered_json statsJson(const LoadedScene& loaded, const gpu::DeviceInf
                    {"frame", memory.frameBytes},
                    {"order", memory.orderBytes},
                    {"tables", memory.tableBytes}};
+  json["memory_budget"] = {{"heap", memory.budget.heapBytes},
+                           {"available", memory.budget.isReported ? nlohmann::ordered_json(memory.budget.availableBytes)
+                                                                  : nlohmann::ordered_json(nullptr)}};
   const auto perTet = [&](std::uint64_t bytes) {
     return std::round(static_cast<double>(bytes) / static_cast<double>(renderer.cellCount()) * 100.0) / 100.0;
   };

@@ -87,7 +87,7 @@ bool matches(const DeviceInfo& info, const std::string& wanted) {
 
 }  // namespace
 
-Context::Context(const ContextOptions& options) {
+Context::Context(const ContextOptions& options) : availableBytes_(options.availableBytes) {
   try {
     loadVulkan();
     createInstance(options.validation);
@@ -190,6 +190,15 @@ std::uint32_t Context::memoryType(std::uint32_t allowedTypes, VkMemoryPropertyFl
     }
   }
   fail(ErrorCode::Device, "device '{}' has no memory with properties {:#x}", info_.name, required);
+}
+
+MemoryBudget Context::memoryBudget() const {
+  MemoryBudget budget = gpu::memoryBudget(physicalDevice_);
+  if (availableBytes_) {
+    budget.availableBytes = *availableBytes_;
+    budget.isReported = true;
+  }
+  return budget;
 }
 
 void Context::setName(VkObjectType type, std::uint64_t handle, const std::string& name) const {

@@ -1,10 +1,12 @@
 // Instance, device and queue.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "gpu/devices.h"
+#include "gpu/memory_budget.h"
 #include "gpu/vulkan.h"
 
 namespace tetralux::gpu {
@@ -16,6 +18,8 @@ struct ContextOptions {
   // Core and synchronisation validation; messages go to takeValidationMessages(). Throws Error(Device) where the
   // Khronos layer is not installed.
   bool validation = false;
+  // Taken for MemoryBudget::availableBytes, whatever the driver says: for tests of what does not fit.
+  std::optional<std::uint64_t> availableBytes{};
 };
 
 // Lives longer than everything made from it. Not thread-safe.
@@ -35,6 +39,8 @@ class Context {
   // Nanoseconds per tick of a timestamp.
   float timestampPeriodNs() const { return timestampPeriodNs_; }
   bool validation() const { return validation_; }
+  // Of the device's memory, as of now.
+  MemoryBudget memoryBudget() const;
 
   // Index of the memory type with all wanted properties, or of the best without `preferred`.
   // Throws Error(Device) when no type has the required ones.
@@ -63,6 +69,7 @@ class Context {
   DeviceInfo info_;
   float timestampPeriodNs_ = 1.0f;
   bool validation_ = false;
+  std::optional<std::uint64_t> availableBytes_;
 };
 
 // All devices that Vulkan knows on this machine. Throws Error(Device) when there is no loader.

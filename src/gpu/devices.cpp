@@ -118,12 +118,7 @@ DeviceInfo describe(VkPhysicalDevice device, std::uint32_t index) {
   info.subpixels = 1u << plain.limits.subPixelPrecisionBits;
   info.subtexelBits = plain.limits.subTexelPrecisionBits;
 
-  VkPhysicalDeviceMemoryProperties memory;
-  vkGetPhysicalDeviceMemoryProperties(device, &memory);
-  for (std::uint32_t i = 0; i < memory.memoryHeapCount; i++) {
-    if (memory.memoryHeaps[i].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT)
-      info.memoryBytes = std::max<std::uint64_t>(info.memoryBytes, memory.memoryHeaps[i].size);
-  }
+  info.memory = memoryBudget(device);
 
   if (!isVulkan13) {
     info.missing = "Vulkan 1.3";

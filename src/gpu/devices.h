@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "gpu/memory_budget.h"
 #include "gpu/vulkan.h"
 
 namespace tetralux::gpu {
@@ -16,7 +17,7 @@ struct DeviceInfo {
   std::string driver;      // name and version, as the driver gives them
   std::string apiVersion;  // "1.3.230"
   bool isCpu = false;
-  std::uint64_t memoryBytes = 0;  // of the largest device-local heap
+  MemoryBudget memory;  // when the device was described
   std::uint64_t largestAllocationBytes = 0;
   std::uint64_t largestStorageRangeBytes = 0;  // maxStorageBufferRange
   std::uint64_t largestTexelBuffer = 0;        // elements, maxTexelBufferElements

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <glm/vec4.hpp>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/parallel.h"
@@ -61,16 +62,21 @@ void MarchStorage::prepare(ImageSize size) {
 }
 
 void MarchStorage::allocate() {
+  // A failure leaves room for no picture at all.
+  const ImageSize size = std::exchange(size_, {0, 0});
   // The old buffers go first: both may not fit.
   jobsView_ = {};
   colorsView_ = {};
   for (gpu::Buffer* buffer : {&jobs_, &tileMarks_, &walkTiles_, &sortTiles_, &heads_, &links_, &ranks_, &colors_})
     *buffer = {};
+  const std::uint64_t pixels = std::uint64_t{size.width} * bandRows_;
+  const std::uint64_t tiles = std::uint64_t{tileCount(size.width)} * tileCount(bandRows_);
+  gpu::requireMemory(context_,
+                     std::uint64_t{8} * jobCapacity_ + 12 * tiles + std::uint64_t{12} * nodeCapacity_ + 20 * pixels,
+                     "the picture's lists of faces");
   const auto make = [&](std::uint64_t bytes, const char* name) {
     return gpu::Buffer(context_, bytes, MemoryKind::Device, name);
   };
-  const std::uint64_t pixels = bandPixels();
-  const std::uint64_t tiles = bandTiles();
   jobs_ = make(std::uint64_t{8} * jobCapacity_, "march jobs");
   tileMarks_ = make(4 * tiles, "march tile marks");
   walkTiles_ = make(4 * tiles, "march tiles");
@@ -81,6 +87,7 @@ void MarchStorage::allocate() {
   colors_ = make(16 * pixels, "march colors");
   jobsView_ = gpu::TexelView(context_, jobs_, VK_FORMAT_R32G32_UINT);
   colorsView_ = gpu::TexelView(context_, colors_, VK_FORMAT_R32G32B32A32_SFLOAT);
+  size_ = size;
 }
 
 shared::PixelBand MarchStorage::bandFrom(std::uint32_t firstRow) const {

@@ -10,6 +10,7 @@
 #include "mesh/adjacency.h"
 #include "mesh/cut_folds.h"
 #include "mesh/overlaps.h"
+#include "render/memory_need.h"
 #include "render/order/make_order.h"
 #include "render/precision.h"
 #include "render/rounding_probe.h"
@@ -32,11 +33,26 @@ SortVariant sortVariant(const gpu::Context& context, const RendererOptions& opti
   return options.sortVariant.value_or(bestSortVariant(context.info()));
 }
 
+ProjectionChoice projectionFor(const RendererOptions& options) {
+  if (options.projection != CellProjection::Auto) return {options.projection, "asked for", 0.0};
+  return chooseProjection(options.order == Order::Auto && options.mayWalk);
+}
+
+// The context, once it is known that the mesh may fit. Throws Error(Device) otherwise.
+const gpu::Context& withRoomFor(const gpu::Context& context, const TetMesh& mesh, const ScalarField& field,
+                                CellProjection projection) {
+  gpu::requireMemory(
+      context,
+      leastMeshBytes(mesh.cellCount(), mesh.pointCount(), field.association, projection, context.info().hasFloat64),
+      fmt::format("a mesh of {} cells", mesh.cellCount()));
+  return context;
+}
+
 }  // namespace
 
 Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const ScalarField& field,
                    const RendererOptions& options)
-    : context_(context),
+    : context_(withRoomFor(context, mesh, field, projectionFor(options).projection)),
       mesh_(context, mesh, field),
       wideAddressing_(options.forceWideAddressing || needsWideAddressing(context.info(), mesh_)),
       checkOrder_(options.checkOrder),
@@ -44,10 +60,8 @@ Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const Scala
       hostMeshBytes_(mesh.sizeBytes() + field.values.size() * sizeof(double)),
       tolerance_(options.tolerance),
       doublePrecision_(options.doublePrecision),
-      projection_{options.projection, "asked for", 0.0},
+      projection_(projectionFor(options)),
       target_(context) {
-  if (options.projection == CellProjection::Auto)
-    projection_ = chooseProjection(options.order == Order::Auto && options.mayWalk);
   if (projection() == CellProjection::March) {
     marchPass_ = std::make_unique<MarchPass>(context);
     Adjacency adjacency = makeAdjacency(mesh);
@@ -293,6 +307,7 @@ MemoryUse Renderer::memoryUse() const {
   use.pictureBytes = use.frameBytes - (storage_ ? storage_->sort.sizeBytes() : use.topologyBytes);
   use.hostMeshBytes = hostMeshBytes_;
   use.hostAdjacencyBytes = hostAdjacencyBytes_;
+  use.budget = context_.memoryBudget();
   use.tableBytes = (transfer_ ? transfer_->sizeBytes() : 0) + (tables_ ? tables_->sizeBytes() : 0) +
                    (appearance_ ? appearance_->sizeBytes() : 0) + (surfaces_ ? surfaces_->sizeBytes() : 0);
   return use;

@@ -89,6 +89,8 @@ struct MemoryUse {
   std::uint64_t cellOrderBytes = 0;  // cells: keys, indices, what finds an order
   std::uint64_t pictureBytes = 0;    // pixels: pictures, lists of fragments, batches of projected cells
 
+  gpu::MemoryBudget budget;  // what is left beside all this
+
   // On the host, while the renderer was made: mesh and field, and who is whose neighbour.
   std::uint64_t hostMeshBytes = 0;
   std::uint64_t hostAdjacencyBytes = 0;
@@ -96,7 +98,8 @@ struct MemoryUse {
 
 class Renderer {
  public:
-  // Copies the mesh to the device; it need not outlive the call. Throws Error(Device).
+  // Copies the mesh to the device; it need not outlive the call. Throws Error(Device), before anything is allocated
+  // where the device has too little memory left for the mesh.
   //   context   must outlive the renderer
   Renderer(const gpu::Context& context, const TetMesh& mesh, const ScalarField& field,
            const RendererOptions& options = {});

@@ -12,6 +12,7 @@ void TargetImages::prepare(ImageSize size, Target target) {
   if (!picture_ || !fits(*picture_) || picture_->format() != format) {
     readback_.reset();
     picture_.reset();
+    gpu::requireMemory(context_, std::uint64_t{size.width} * size.height * bytesPerPixel(format), "the picture");
     picture_ = std::make_unique<gpu::AttachmentImage>(context_, size.width, size.height, format, "target");
   }
   const bool isChunked = target == Target::Rgba16fChunked;

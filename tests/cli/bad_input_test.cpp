@@ -125,6 +125,20 @@ TEST(BadInput, AFrameThatCannotBeWrittenEndsTheSequence) {
   }
 }
 
+TEST(BadInput, TooLittleMemoryIsStatusFour) {
+  const TempDir dir;
+  dir.write("m.vtu", kMesh);
+  for (const char* projection : {"auto", "pt"}) {
+    const auto result = runTetralux(
+        {"render", "m.vtu", "-o", "out.exr", "--quiet", "--projection", projection, "--force-path", "small-memory"},
+        dir.path());
+    EXPECT_EQ(result.status, 4);
+    EXPECT_THAT(result.err, HasSubstr("out of memory: a mesh of 1 cells needs "));
+    EXPECT_THAT(result.err, HasSubstr("has 16 available\n"));
+    EXPECT_EQ(dir.entries(), 1u);
+  }
+}
+
 TEST(BadInput, NoDeviceIsStatusFour) {
   const TempDir dir;
   dir.write("m.vtu", kMesh);

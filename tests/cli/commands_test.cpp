@@ -95,7 +95,7 @@ TEST_F(Commands, StatisticsHaveTheirFixedKeys) {
   const json stats = json::parse(readTextFile(dir_ / "s.json"));
   for (const char* key :
        {"device", "driver", "width", "height", "integration", "interpolation", "projection", "order", "target", "tets",
-        "points", "drawn_tets", "triangles", "culled", "order_check", "ms", "bytes", "bytes_per_tet"})
+        "points", "drawn_tets", "triangles", "culled", "order_check", "ms", "bytes", "bytes_per_tet", "memory_budget"})
     EXPECT_TRUE(stats.contains(key)) << key;
   for (const char* key : {"no_sample", "transparent", "outside"}) EXPECT_TRUE(stats["culled"].contains(key)) << key;
   for (const char* key : {"load", "first_frame", "frame", "project", "sort", "raster", "readback"})
@@ -104,6 +104,8 @@ TEST_F(Commands, StatisticsHaveTheirFixedKeys) {
   for (const char* key :
        {"host_mesh", "host_adjacency", "mesh", "topology", "order", "lists", "tables", "process_peak"})
     EXPECT_GT(stats["bytes_per_tet"][key].get<double>(), 0.0) << key;
+  EXPECT_GT(stats["memory_budget"]["heap"].get<double>(), 0.0);
+  EXPECT_TRUE(stats["memory_budget"].contains("available"));  // null where the driver does not tell
   EXPECT_EQ(stats["width"], 32);
   EXPECT_GT(stats["drawn_tets"].get<int>(), 0);
 }
@@ -290,7 +292,11 @@ TEST_F(Commands, StabilityWritesItsThreeFiles) {
   EXPECT_THAT(readTextFile(dir_ / "new/folder/stability.csv"), HasSubstr("\none pixel,projection march,"));
 }
 
-TEST_F(Commands, DevicesAreListed) { EXPECT_THAT(run({"devices"}).out, HasSubstr("usable             yes")); }
+TEST_F(Commands, DevicesAreListed) {
+  const std::string devices = run({"devices"}).out;
+  EXPECT_THAT(devices, HasSubstr("usable             yes"));
+  EXPECT_THAT(devices, HasSubstr(" available\n"));
+}
 
 TEST_F(Commands, HalfExrAndTargetsAreWritten) {
   run({"render", "m.vtu", "--size", "32x32", "-o", "a.exr", "--quiet"});
