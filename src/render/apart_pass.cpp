@@ -6,7 +6,7 @@
 namespace tetralux::render {
 ApartPass::ApartPass(const gpu::Context& context)
     : context_(context),
-      store_(context, "apart/store.frag", "apart/gator.frag"),
+      store_(context, "apart/store.frag", "apart/gator.frag", "apart/appearance.frag"),
       blendVertex_(loadShader(context, "apart/blend.vert")),
       blendFragment_(loadShader(context, "apart/blend.frag")),
       resolve_(context, "apart/resolve.comp") {}

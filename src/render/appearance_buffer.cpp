@@ -1,6 +1,7 @@
 #include "render/appearance_buffer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -100,7 +101,7 @@ AppearanceBuffer::AppearanceBuffer(const gpu::Context& context, const Appearance
   colorView_ = view(colorBuffer_);
   for (const Isosurface& surface : appearance.isosurfaces) isovalues_.push_back(space.scalar(surface.value));
 
-  replacesTransfer_ = appearance.rgbaField || appearance.transfer2d;
+  replacesTransfer_ = appearance.volumeVisible && (appearance.rgbaField || appearance.transfer2d);
   for (const glm::dvec4& color : data.rgba) ownExtinction_ = std::max(ownExtinction_, color.w * space.scale);
   if (appearance.transfer2d) ownExtinction_ = appearance.transfer2d->largestExtinction() * space.scale;
   for (const Modulation& modulation : appearance.modulations) {
@@ -122,6 +123,17 @@ void AppearanceBuffer::setTransfer(const TransferBuffer& transfer) {
   pointScalarBuffer_ = gpu::makeBuffer(context_, points.scalars, "walk point scalars");
   pointView_ = gpu::TexelView(context_, pointBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT);
   pointScalarView_ = gpu::TexelView(context_, pointScalarBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT);
+
+  std::vector<glm::vec4> support = transfer.supportIntervals();
+  constexpr float kEverywhere = 1e30f;
+  if (replacesTransfer_) support.assign(1, {-kEverywhere, kEverywhere, 0.0f, 0.0f});
+  for (const float value : isovalues_)
+    support.emplace_back(std::nextafter(value, -kEverywhere), std::nextafter(value, kEverywhere), 0.0f, 0.0f);
+  supportCount_ = static_cast<std::uint32_t>(support.size());
+  if (support.empty()) support.emplace_back(0.0f);
+  supportView_ = {};
+  supportBuffer_ = gpu::makeBuffer(context_, support, "appearance support");
+  supportView_ = gpu::TexelView(context_, supportBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT);
 }
 
 void AppearanceBuffer::setCamera(const Camera& camera) {
@@ -138,8 +150,8 @@ void AppearanceBuffer::setCamera(const Camera& camera) {
 
 std::uint64_t AppearanceBuffer::sizeBytes() const {
   std::uint64_t bytes = 0;
-  for (const gpu::Buffer* buffer :
-       {&texelBuffer_, &gradientBuffer_, &numberBuffer_, &colorBuffer_, &pointBuffer_, &pointScalarBuffer_})
+  for (const gpu::Buffer* buffer : {&texelBuffer_, &gradientBuffer_, &numberBuffer_, &colorBuffer_, &pointBuffer_,
+                                    &pointScalarBuffer_, &supportBuffer_})
     bytes += buffer->sizeBytes();
   return bytes;
 }

@@ -33,6 +33,10 @@ class AppearanceBuffer {
   // Largest extinction that does not come from the transfer function, with factors, 1/mesh unit.
   double largestExtinction(double ofTransferFunction) const;
 
+  // As TransferBuffer's, for scalars that show: those of isosurfaces, too, and all where classification is by more.
+  const gpu::TexelView& support() const { return supportView_; }
+  std::uint32_t supportCount() const { return supportCount_; }
+
   const gpu::TexelView& texels() const { return texelView_; }
   const gpu::TexelView& gradients() const { return gradientView_; }
   const gpu::TexelView& numbers() const { return numberView_; }
@@ -56,12 +60,15 @@ class AppearanceBuffer {
   gpu::Buffer colorBuffer_;
   gpu::Buffer pointBuffer_;
   gpu::Buffer pointScalarBuffer_;
+  gpu::Buffer supportBuffer_;
   gpu::TexelView texelView_;
   gpu::TexelView gradientView_;
   gpu::TexelView numberView_;
   gpu::TexelView colorView_;
   gpu::TexelView pointView_;
   gpu::TexelView pointScalarView_;
+  gpu::TexelView supportView_;
+  std::uint32_t supportCount_ = 0;
 };
 
 }  // namespace tetralux::render

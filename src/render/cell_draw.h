@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gpu/commands.h"
+#include "render/appearance_buffer.h"
 #include "render/batch.h"
 #include "render/gpu_mesh.h"
 #include "render/gpu_truth_table.h"
@@ -27,6 +28,7 @@ struct CellBatch {
   const CellSequence& sequence;
   const BatchStorage& storage;
   shared::CellPush push;
+  const AppearanceBuffer* appearance = nullptr;  // what is shown beside the volume; of outlines alone
 };
 
 // Pipelines that draw cells with one kind of fragment shader, made when first needed.
@@ -34,7 +36,9 @@ class CellDraw {
  public:
   //   fans, gator   names of the fragment shader for cells projected before and for those that raster/gator.vert
   //                 projects
-  CellDraw(const gpu::Context& context, const std::string& fans, const std::string& gator);
+  //   appearance    for cells projected before, with all that is shown beside the volume
+  CellDraw(const gpu::Context& context, const std::string& fans, const std::string& gator,
+           const std::string& appearance);
 
   // Draws a batch within a begun rendering.
   //   format    of the attachment; undefined: none
@@ -44,7 +48,9 @@ class CellDraw {
               std::uint32_t kBuffer = 0, const std::vector<gpu::Descriptor>& further = {});
 
  private:
-  const gpu::GraphicsPipeline& pipeline(const FrameVariant& variant, VkFormat format, std::uint32_t kBuffer);
+  std::vector<gpu::Descriptor> bindings(const FrameVariant& variant, const CellBatch& batch) const;
+  const gpu::GraphicsPipeline& pipeline(const FrameVariant& variant, const AppearanceBuffer* appearance,
+                                        VkFormat format, std::uint32_t kBuffer);
 
   const gpu::Context& context_;
   struct Shaders {
@@ -53,6 +59,7 @@ class CellDraw {
   };
   Shaders fans_;
   Shaders gator_;
+  Shaders appearance_;
   std::map<std::vector<std::uint32_t>, gpu::GraphicsPipeline> pipelines_;  // by all that distinguishes them
 };
 

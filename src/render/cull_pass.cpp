@@ -13,11 +13,11 @@ struct CullPush {
 CullPass::CullPass(const gpu::Context& context) : pipelines_(context, "cull/cull.comp") {}
 
 void CullPass::record(gpu::CommandBuffer& commands, const FrameVariant& variant, const GpuMesh& mesh,
-                      const TransferBuffer& transfer, const gpu::Buffer& view, const gpu::Buffer& keys,
+                      const gpu::TexelView& support, const gpu::Buffer& view, const gpu::Buffer& keys,
                       const gpu::Buffer& counters) {
   const CullPush push{mesh.addresses(), keys.address()};
   commands.dispatch(pipelines_.get(variant.specConstants()),
-                    {view, mesh.cells(), mesh.vertices(), mesh.cellScalars(), transfer.support(), keys, counters}, push,
+                    {view, mesh.cells(), mesh.vertices(), mesh.cellScalars(), support, keys, counters}, push,
                     mesh.cellCount());
 }
 

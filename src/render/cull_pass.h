@@ -18,7 +18,7 @@ class CullPass {
   //   keys       one per cell: smaller for cells farther away, KEY_TRANSPARENT | key, or KEY_OUTSIDE
   //   counters   FrameCounters: outside, noSample, transparent
   void record(gpu::CommandBuffer& commands, const FrameVariant& variant, const GpuMesh& mesh,
-              const TransferBuffer& transfer, const gpu::Buffer& view, const gpu::Buffer& keys,
+              const gpu::TexelView& support, const gpu::Buffer& view, const gpu::Buffer& keys,
               const gpu::Buffer& counters);
 
  private:

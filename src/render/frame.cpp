@@ -61,7 +61,8 @@ CellBatch cellBatch(const Frame& frame, const CellSequence& sequence, SlotSpan b
           frame.passes.truthTable,
           sequence,
           frame.storage.batches,
-          {inputs.setup.screen, band, batch.first}};
+          {inputs.setup.screen, band, batch.first},
+          inputs.appearance};
 }
 
 // combine: a chunk over what lies behind
@@ -192,7 +193,8 @@ OrderReport drawFrame(gpu::Recorder& recorder, const FrameInputs& inputs, FrameP
     commands.fill(storage.counters, 0);
     commands.fill(storage.shortPixels, 0);
     commands.barrier(kTransferWrite, kComputeReadWrite);
-    passes.cull.record(commands, inputs.variant, inputs.mesh, inputs.transfer, storage.view, storage.sort.keys(),
+    const gpu::TexelView& support = inputs.appearance ? inputs.appearance->support() : inputs.transfer.support();
+    passes.cull.record(commands, inputs.variant, inputs.mesh, support, storage.view, storage.sort.keys(),
                        storage.counters);
     commands.barrier(kComputeWrite, kComputeReadWrite);
   }

@@ -58,11 +58,11 @@ struct FrameInputs {
   const FrameSetup& setup;
   FrameVariant variant;
   ImageSize size;
-  // Of the march alone:
   const AppearanceBuffer* appearance = nullptr;  // what is shown beside the volume
-  SurfacePass* surfacePass = nullptr;            // with surfaces
-  SurfaceStorage* surfaces = nullptr;            // opaque triangles, if there are any
-  bool checkOrder = false;                       // count what the order gets wrong
+  // Of the march alone:
+  SurfacePass* surfacePass = nullptr;  // with surfaces
+  SurfaceStorage* surfaces = nullptr;  // opaque triangles, if there are any
+  bool checkOrder = false;             // count what the order gets wrong
 };
 
 // Draws a frame into `target`, whose old content is forgotten, and waits for it. Returns how right the order was.

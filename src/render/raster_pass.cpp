@@ -2,7 +2,8 @@
 
 namespace tetralux::render {
 
-RasterPass::RasterPass(const gpu::Context& context) : cells_(context, "raster/fan.frag", "raster/gator.frag") {}
+RasterPass::RasterPass(const gpu::Context& context)
+    : cells_(context, "raster/fan.frag", "raster/gator.frag", "raster/appearance.frag") {}
 
 void RasterPass::recordBatch(gpu::CommandBuffer& commands, const FrameVariant& variant, const CellBatch& batch,
                              const gpu::AttachmentImage& target, bool clear) {

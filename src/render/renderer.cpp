@@ -98,8 +98,10 @@ void Renderer::setAppearance(const Appearance& appearance, const AppearanceData&
   surfaces_.reset();
   isTransferReplaced_ = appearance.replacesTransferFunction();
   if (!appearance.isPlain()) {
-    if (!marchPass_)
-      fail(ErrorCode::Usage, "--projection: found '{}' with more than a volume to show, expected march",
+    const bool isOutlined = projection() == CellProjection::Silhouette && appearance.surfaces.empty();
+    if (!marchPass_ && !isOutlined)
+      fail(ErrorCode::Usage,
+           "--projection: found '{}' with more than a volume to show, expected march, or silhouette without surfaces",
            projectionName(projection()));
     appearance_ = std::make_unique<AppearanceBuffer>(context_, appearance, data, mesh_.space());
     CHECK_EQ(appearance.surfaces.size(), data.surfaces.size());
@@ -175,7 +177,8 @@ Renderer::Drawn Renderer::drawInto(gpu::Recorder& recorder, const Camera& camera
                                    const IntegrationVariant& integration, std::uint32_t output,
                                    const FrameTarget& target, bool checkOrder, bool countWork) {
   const FrameSetup setup =
-      makeFrameSetup(camera, size, mesh_.space(), mesh_.cellCount(), transfer_->supportCount(), kCentroidKeyBits);
+      makeFrameSetup(camera, size, mesh_.space(), mesh_.cellCount(),
+                     appearance_ ? appearance_->supportCount() : transfer_->supportCount(), kCentroidKeyBits);
   gpu::upload(context_, marchPass_ ? marchStorage_->view() : storage_->view, &setup.view, sizeof setup.view);
 
   FrameVariant variant;

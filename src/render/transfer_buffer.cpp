@@ -155,6 +155,7 @@ TransferBuffer::TransferBuffer(const gpu::Context& context, const TransferTables
       pieceTexels_(tables.pieces),
       pointTexels_(tables.points),
       pointScalarTexels_(tables.pointScalars),
+      support_(tables.support),
       pieceBuffer_(gpu::makeBuffer(context, tables.pieces, "transfer pieces")),
       binBuffer_(gpu::makeBuffer(context, tables.pieceBins, "transfer piece bins")),
       pointBuffer_(gpu::makeBuffer(context, tables.points, "transfer points")),

@@ -44,6 +44,8 @@ class TransferBuffer {
   }  // extinction over all scalars, 1/mesh unit; or emission per length, if more
   // What pieces() holds, on the host: TRANSFER_PIECE_TEXELS per piece.
   const std::vector<glm::vec4>& pieceTexels() const { return pieceTexels_; }
+  // The same of support().
+  const std::vector<glm::vec4>& supportIntervals() const { return support_; }
   // The same of points() and pointScalars().
   const std::vector<glm::vec4>& pointTexels() const { return pointTexels_; }
   const std::vector<glm::vec2>& pointScalarTexels() const { return pointScalarTexels_; }
@@ -58,6 +60,7 @@ class TransferBuffer {
   std::vector<glm::vec4> pieceTexels_;
   std::vector<glm::vec4> pointTexels_;
   std::vector<glm::vec2> pointScalarTexels_;
+  std::vector<glm::vec4> support_;
   gpu::Buffer pieceBuffer_;
   gpu::Buffer binBuffer_;
   gpu::Buffer pointBuffer_;

@@ -67,7 +67,7 @@ void cull(benchmark::State& state) {
     gpu::CommandBuffer& clear = recorder.pass("clear");
     clear.fill(counters, 0);
     clear.barrier(kTransferWrite, kComputeReadWrite);
-    pass.record(recorder.pass("cull"), variant, mesh, transfer, view, keys, counters);
+    pass.record(recorder.pass("cull"), variant, mesh, transfer.support(), view, keys, counters);
     recorder.sync();
     return passSeconds(recorder, "cull");
   };

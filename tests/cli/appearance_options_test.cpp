@@ -82,7 +82,10 @@ TEST_F(AppearanceCommands, ASceneMayNeedNoTransferFunction) {
 TEST_F(AppearanceCommands, WhatCannotBeDrawnIsSaid) {
   const auto cells = run({"render", "m.vtu", "--size", "32x24", "--iso", "0.5", "--projection", "pt", "-o", "a.png"});
   EXPECT_EQ(cells.status, 2);
-  EXPECT_THAT(cells.err, HasSubstr("--projection: found 'pt' with more than a volume to show, expected march"));
+  EXPECT_THAT(
+      cells.err,
+      HasSubstr(
+          "--projection: found 'pt' with more than a volume to show, expected march, or silhouette without surfaces"));
   const auto twice = run({"render", "m.vtu", "--iso", "0.5", "--iso", "0.5", "-o", "a.png"});
   EXPECT_EQ(twice.status, 3);
   EXPECT_THAT(twice.err, HasSubstr("--iso: found the value 0.5 twice, expected different values"));

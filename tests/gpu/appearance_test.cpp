@@ -89,6 +89,19 @@ TEST_F(GpuTest, EveryWayToClassifyAgreesWithTheReference) {
   }
 }
 
+TEST_F(GpuTest, SortedCellsAreClassifiedAlike) {
+  for (const auto& [name, appearance] : appearances()) {
+    for (const size_t view : {1u, 2u}) {
+      const ImageDifference d = drawAppearance(context(), richMesh(), view == 1 ? kFog : kGlow, appearance,
+                                               test::orderViews(richMesh())[view], test::kAppearanceSize,
+                                               test::withProjection(CellProjection::Silhouette))
+                                    .difference();
+      EXPECT_LE(d.rmse, 2e-4) << name;
+      EXPECT_LE(d.max, 2.0 / 255.0) << name;
+    }
+  }
+}
+
 TEST_F(GpuTest, ClipPlanesCutCellsExactly) {
   Appearance appearance;
   appearance.clip = {{{0.3, -0.2, 1.0}, -0.3}, {{0.0, 2.0, 0.0}, -0.8}, {{-1.0, 0.0, 0.3}, -0.5}};
@@ -217,7 +230,7 @@ TEST_F(GpuTest, OtherProjectionsAndMethodsRefuseMoreThanAVolume) {
   Renderer cells(context(), mesh, field, test::withProjection(CellProjection::Pt));
   cells.setTransferFunction(kFog);
   EXPECT_EQ(test::errorOf(ErrorCode::Usage, [&] { cells.setAppearance(appearance, data); }),
-            "--projection: found 'pt' with more than a volume to show, expected march");
+            "--projection: found 'pt' with more than a volume to show, expected march, or silhouette without surfaces");
   Renderer rays(context(), mesh, field, test::withProjection(CellProjection::March));
   rays.setTransferFunction(kFog);
   rays.setAppearance(appearance, data);

@@ -12,17 +12,15 @@ namespace tetralux::test {
 
 AppearancePair drawAppearance(const gpu::Context& context, const TetMesh& mesh, const TransferFunction& transfer,
                               const Appearance& appearance, const Camera& camera, ImageSize size,
-                              std::optional<bool> isDouble) {
+                              const render::RendererOptions& options) {
   const ScalarField field = scalarField(mesh, "", "test");
   const AppearanceData data = makeAppearanceData(appearance, mesh, field, "test");
-  return drawPair(context, mesh, field, transfer, appearance, data, camera, size, isDouble);
+  return drawPair(context, mesh, field, transfer, appearance, data, camera, size, options);
 }
 
 AppearancePair drawPair(const gpu::Context& context, const TetMesh& mesh, const ScalarField& field,
                         const TransferFunction& transfer, const Appearance& appearance, const AppearanceData& data,
-                        const Camera& camera, ImageSize size, std::optional<bool> isDouble) {
-  render::RendererOptions options = withProjection(render::CellProjection::March);
-  options.doublePrecision = isDouble;
+                        const Camera& camera, ImageSize size, const render::RendererOptions& options) {
   render::Renderer renderer(context, mesh, field, options);
   renderer.setTransferFunction(transfer);
   renderer.setAppearance(appearance, data);

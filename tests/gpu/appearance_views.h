@@ -3,6 +3,7 @@
 
 #include "fields/appearance_data.h"
 #include "image/metrics.h"
+#include "projection_views.h"
 #include "render/renderer.h"
 
 namespace tetralux::test {
@@ -19,16 +20,15 @@ struct AppearancePair {
 
 // One picture each.
 //   field      name, or empty for the mesh's own
-//   isDouble   nothing: single or double precision as the frame needs it
 AppearancePair drawAppearance(const gpu::Context& context, const TetMesh& mesh, const TransferFunction& transfer,
                               const Appearance& appearance, const Camera& camera, ImageSize size = kAppearanceSize,
-                              std::optional<bool> isDouble = std::nullopt);
+                              const render::RendererOptions& options = withProjection(render::CellProjection::March));
 
 // The same of a field, with data that was made elsewhere.
 AppearancePair drawPair(const gpu::Context& context, const TetMesh& mesh, const ScalarField& field,
                         const TransferFunction& transfer, const Appearance& appearance, const AppearanceData& data,
                         const Camera& camera, ImageSize size = kAppearanceSize,
-                        std::optional<bool> isDouble = std::nullopt);
+                        const render::RendererOptions& options = withProjection(render::CellProjection::March));
 
 // Errors of a picture, largest channel per pixel. Rays that graze a surface may meet it or not: rounding decides. So
 // pixels with a neighbour whose ray crosses another number of isosurfaces in the exact picture, silhouettes, are

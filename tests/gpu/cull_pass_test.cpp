@@ -18,8 +18,8 @@ using test::runCommands;
 std::vector<std::uint32_t> cullKeys(PassScene& scene) {
   CullPass pass(scene.context);
   runCommands(scene.context, [&](gpu::CommandBuffer& commands) {
-    pass.record(commands, scene.variant, scene.gpuMesh, scene.transfer, scene.storage.view, scene.storage.sort.keys(),
-                scene.storage.counters);
+    pass.record(commands, scene.variant, scene.gpuMesh, scene.transfer.support(), scene.storage.view,
+                scene.storage.sort.keys(), scene.storage.counters);
   });
   return gpu::downloadVector<std::uint32_t>(scene.context, scene.storage.sort.keys(), scene.gpuMesh.cellCount());
 }

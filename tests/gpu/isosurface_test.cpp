@@ -47,10 +47,35 @@ TEST_F(GpuTest, DoublePrecisionDrawsIsosurfacesToo) {
   const TetMesh mesh = randomDelaunay(2000, 7);
   Appearance appearance;
   appearance.isosurfaces = {surfaceAt(0.4, 0.5), surfaceAt(0.6, 1.0)};
-  EXPECT_LE(drawAppearance(context(), mesh, kThin, appearance, test::orderViews(mesh)[0], test::kAppearanceSize, true)
-                .difference()
-                .rmse,
-            2e-5);
+  RendererOptions options = test::withProjection(CellProjection::March);
+  options.doublePrecision = true;
+  const AppearancePair pair =
+      drawAppearance(context(), mesh, kThin, appearance, test::orderViews(mesh)[0], test::kAppearanceSize, options);
+  EXPECT_LE(pair.difference().rmse, 2e-5);
+}
+
+// In the sorted pass: cells are drawn one by one.
+TEST_F(GpuTest, IsosurfacesOfSortedCellsAgreeWithTheReference) {
+  std::uint32_t turn = 0;
+  for (const auto& [name, mesh] : test::hardMeshes()) {
+    const ScalarField field = scalarField(mesh, "", "test");
+    if (field.association == FieldAssociation::Cell) continue;
+    const auto at = [&](double share) { return field.low + share * (field.high - field.low); };
+    for (const Camera& camera : test::orderViews(mesh)) {
+      if (turn++ % 2 == 1) continue;
+      Appearance appearance;
+      appearance.lighting = test::sideLight();
+      appearance.volumeVisible = turn % 4 == 1;
+      appearance.isosurfaces = {surfaceAt(at(0.2), 0.3), surfaceAt(at(0.45), 0.6, Shading::Flat),
+                                surfaceAt(at(0.7), 1.0)};
+      const AppearancePair pair = drawAppearance(context(), mesh, kThin, appearance, camera, test::kAppearanceSize,
+                                                 test::withProjection(CellProjection::Silhouette));
+      const test::SurfaceErrors errors = test::surfaceErrors(pair);
+      EXPECT_LE(errors.rmse, 2e-4) << name;
+      EXPECT_LE(errors.largest, 1.0 / 255.0) << name;
+      EXPECT_LE(errors.over, pair.exact.pixels.size() / 1000) << name;
+    }
+  }
 }
 
 // A surface in the mesh's own faces: every ray crosses it once, wherever it is.
@@ -66,10 +91,13 @@ TEST_F(GpuTest, ASurfaceInSharedFacesIsMetOnce) {
   camera.fovyDegrees = 10.0;  // all rays pass through both surfaces
   for (const double direction : {1.0, -1.0}) {
     camera.eye.z = 5.0 * direction;
-    const AppearancePair pair = drawAppearance(context(), mesh, kThin, appearance, camera);
-    for (size_t i = 0; i < pair.drawn.pixels.size(); i++) {
-      ASSERT_NEAR(pair.drawn.pixels[i].a, 1.0 - 0.75 * 0.75, 1e-6) << i;
-      ASSERT_EQ(pair.crossings[i], 2u) << i;
+    for (const CellProjection projection : {CellProjection::March, CellProjection::Silhouette}) {
+      const AppearancePair pair = drawAppearance(context(), mesh, kThin, appearance, camera, test::kAppearanceSize,
+                                                 test::withProjection(projection));
+      for (size_t i = 0; i < pair.drawn.pixels.size(); i++) {
+        ASSERT_NEAR(pair.drawn.pixels[i].a, 1.0 - 0.75 * 0.75, 1e-6) << i;
+        ASSERT_EQ(pair.crossings[i], 2u) << i;
+      }
     }
   }
 }

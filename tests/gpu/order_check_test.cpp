@@ -30,8 +30,8 @@ std::vector<std::uint32_t> cullKeys(const gpu::Context& context, const TetMesh& 
   PassScene scene(context, mesh, orderTransfer(), camera, kOrderSize);
   CullPass pass(context);
   runCommands(context, [&](gpu::CommandBuffer& commands) {
-    pass.record(commands, scene.variant, scene.gpuMesh, scene.transfer, scene.storage.view, scene.storage.sort.keys(),
-                scene.storage.counters);
+    pass.record(commands, scene.variant, scene.gpuMesh, scene.transfer.support(), scene.storage.view,
+                scene.storage.sort.keys(), scene.storage.counters);
   });
   return gpu::downloadVector<std::uint32_t>(context, scene.storage.sort.keys(), scene.gpuMesh.cellCount());
 }

@@ -4,7 +4,7 @@
 // not cross cost nothing, and which side of a surface the ray is on is carried from cell to cell: a surface through a shared face,
 // edge or vertex is met once.
 //
-// Before including: ray_walk.glsl, illumination.glsl, visible_range.glsl; VERTEX_GRADIENTS is a binding number.
+// Before including: face_meeting.glsl, illumination.glsl; VERTEX_GRADIENTS is a binding number.
 layout(binding = VERTEX_GRADIENTS) uniform samplerBuffer vertexGradients;  // mesh space, in units of the longest
 
 vec3 vertexGradient(uint vertex) { return texelFetch(vertexGradients, int(vertex)).xyz; }
@@ -23,11 +23,6 @@ vec3 faceGradient(Face face) {
          share.z * vertexGradient(face.c.vertex);
 }
 
-// The face through which a ray has entered a cell.
-Face enteredFace(MeshAddresses mesh, VertexRestsAt restsAt, Ray ray, Behind at) {
-  return loadFace(mesh, restsAt, ray, cellFace(mesh, at.cell, at.vertex));
-}
-
 // Along the cell's own gradient, any length: the sum over the faces of their area vectors times the scalar opposite.
 vec3 cellGradient(MeshAddresses mesh, uint cell) {
   const Cell c = loadCell(mesh, cell);
@@ -40,8 +35,10 @@ vec3 cellGradient(MeshAddresses mesh, uint cell) {
 }
 
 // Composites a surface behind light and opacity.
-void addSurface(int surface, bool rising, MeshAddresses mesh, VertexRestsAt restsAt, Ray ray, Behind at, Face leave, float share,
-                vec3 toEye, inout vec3 light, inout float opacity, inout float clearness) {
+//   enter, leave   faces of the cell through which the ray passes
+//   share          of the way between them
+void addSurface(int surface, bool rising, MeshAddresses mesh, uint cell, Face enter, Face leave, float share, vec3 toEye,
+                inout vec3 light, inout float opacity, inout float clearness) {
   const int texel = int(kSurfaceTexel + uint(surface) * APPEARANCE_SURFACE_TEXELS);
   const vec4 front = texelFetch(appearanceTexels, texel);
   const vec4 back = texelFetch(appearanceTexels, texel + 1);
@@ -49,9 +46,9 @@ void addSurface(int surface, bool rising, MeshAddresses mesh, VertexRestsAt rest
   if (back.w != float(SHADING_NONE)) {
     vec3 normal;
     if (back.w == float(SHADING_PHONG))
-      normal = mix(faceGradient(enteredFace(mesh, restsAt, ray, at)), faceGradient(leave), share);
+      normal = mix(faceGradient(enter), faceGradient(leave), share);
     else
-      normal = cellGradient(mesh, at.cell);
+      normal = cellGradient(mesh, cell);
     const Illumination lit = illuminate(normal, toEye);
     color = color * lit.factor + lit.highlight;
   }

@@ -14,39 +14,11 @@
 #include "include/march/visible_range.glsl"
 #include "include/march/isosurface.glsl"
 #include "include/march/classification.glsl"
+#include "include/march/visible_segment.glsl"
 
-struct Segment {
-  float front, back;  // scalars
-  float thickness;    // mesh units
-  uint rank;          // of its middle, among all segments on the ray
-  bool isVisible;     // not clipped altogether
-  float hiddenFront, hiddenBack;  // shares of the way between the two faces
-};
-
-// The visible part of the segment between two faces.
-Segment visibleSegment(Ray ray, VisibleRange range, uint cell, Place enter, Place leave) {
-  Segment segment = Segment(enter.scalar, leave.scalar, float(leave.depth - enter.depth), 0u, true, 0.0, 0.0);
-  if (kCellField) segment.front = segment.back = loadCellScalar(mesh, cell);
-  const float perThickness = 1.0 / max(segment.thickness, 1e-30);
-  const float hiddenFront = clamp(float(range.begin - enter.depth) * perThickness, 0.0, 1.0);
-  const float hiddenBack = clamp(float(leave.depth - range.end) * perThickness, 0.0, 1.0);
-  const float visible = max(1.0 - hiddenFront - hiddenBack, 0.0);
-  const float rise = segment.back - segment.front;
-  // Ends that are faces keep the scalar that the next cell has, too.
-  if (hiddenFront > 0.0) segment.front += hiddenFront * rise;
-  if (hiddenBack > 0.0) segment.back -= hiddenBack * rise;
-  segment.isVisible = visible > 0.0;
-  segment.rank = depthRank(leave.depth - (hiddenBack + 0.5 * visible) * segment.thickness) | ENTRY_BIT;
-  segment.thickness *= visible * ray.lengthPerDepth;
-  segment.hiddenFront = hiddenFront;
-  segment.hiddenBack = hiddenBack;
-  return segment;
-}
-
-ClassifiedWalk beginClassified(Segment segment, Attributes enter, Attributes leave, vec3 toEye) {
-  return ClassifiedWalk(segmentEnd(enter, leave, segment.hiddenFront, toEye),
-                        segmentEnd(enter, leave, 1.0 - segment.hiddenBack, toEye), segment.front, segment.back,
-                        segment.thickness, 0.0);
+// The face through which a ray has entered a cell.
+Face enteredFace(MeshAddresses mesh, VertexRestsAt restsAt, Ray ray, Behind at) {
+  return loadFace(mesh, restsAt, ray, cellFace(mesh, at.cell, at.vertex));
 }
 
 void main() {
@@ -79,7 +51,7 @@ void main() {
     crossCell(mesh, restsAt, acrossAt, ray, next, face);
     countCell();
     Place leave = meetNext(face, enter);
-    Segment segment = visibleSegment(ray, range, at.cell, enter, leave);
+    VisibleSegment segment = visibleSegment(mesh, ray, range, at.cell, enter, leave);
     RayParts parts = beginRay(segment.front, segment.back, segment.thickness);
     Attributes leaveAttributes;
     ClassifiedWalk classified;
@@ -111,7 +83,7 @@ void main() {
           countCell();
           leave = meetNext(face, enter);
           const bool wasVisible = segment.isVisible;
-          segment = visibleSegment(ray, range, at.cell, enter, leave);
+          segment = visibleSegment(mesh, ray, range, at.cell, enter, leave);
           isOvertaken = segment.rank > nextRank;
           if (kCellField || ((kClipPlanes > 0u || kNearCells) && !wasVisible))
             parts = beginRay(segment.front, segment.back, segment.thickness);
@@ -131,7 +103,8 @@ void main() {
       if (!kIsosurfaces) break;
       if (isThrough || !isAtSurface) break;
       const float share = clamp((parts.scalar - enter.scalar) / (leave.scalar - enter.scalar), 0.0, 1.0);
-      addSurface(int(parts.surface), parts.rising, mesh, restsAt, ray, at, face, share, toEye, color.rgb, color.a, clearness);
+      addSurface(int(parts.surface), parts.rising, mesh, at.cell, enteredFace(mesh, restsAt, ray, at), face, share, toEye, color.rgb,
+                 color.a, clearness);
       isThrough = isWalkOpaque(color.a, clearness);
       if (isThrough) break;
     }
