@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <string>
+#include <utility>
 
 #include "base/error.h"
 #include "fields/boundary_distance.h"
 #include "fields/gradients.h"
+#include "mesh/triangle_mesh.h"
 
 namespace tetralux {
 namespace {
@@ -77,6 +80,28 @@ void addGradients(const Appearance& appearance, const TetMesh& mesh, const Scala
   if (appearance.transfer2d) data.gradientMagnitudes = gradientMagnitudes(data.gradients);
 }
 
+// Each triangle counts at its corners by its area: cross products of edges are twice that long.
+std::vector<glm::dvec3> normalsAtPoints(const TriangleMesh& mesh) {
+  std::vector<glm::dvec3> normals(mesh.points.size(), glm::dvec3(0.0));
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const glm::dvec3 normal = glm::cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]);
+    for (const std::uint32_t corner : {a, b, c}) normals[corner] += normal;
+  }
+  return normals;
+}
+
+OpaqueSurface readSurface(const SurfaceFile& file) {
+  TriangleMesh mesh = readTriangleMesh(file.path);
+  OpaqueSurface surface;
+  if (file.shading == Shading::Phong) surface.normals = normalsAtPoints(mesh);
+  surface.points = std::move(mesh.points);
+  surface.triangles = std::move(mesh.triangles);
+  surface.rgb = file.rgb;
+  surface.backRgb = file.backRgb;
+  surface.shading = file.shading;
+  return surface;
+}
+
 }  // namespace
 
 AppearanceData makeAppearanceData(const Appearance& appearance, const TetMesh& mesh, const ScalarField& field,
@@ -93,6 +118,7 @@ AppearanceData makeAppearanceData(const Appearance& appearance, const TetMesh& m
     if (appearance.rgbaField) data.rgba = rgbaAtVertices(mesh, *appearance.rgbaField, place);
   }
   if (appearance.needsGradients()) addGradients(appearance, mesh, field, data);
+  for (const SurfaceFile& surface : appearance.surfaces) data.surfaces.push_back(readSurface(surface));
   return data;
 }
 

@@ -10,6 +10,7 @@
 #include "fields/boundary_distance.h"
 #include "mesh/generate.h"
 #include "support/expect_error.h"
+#include "support/temp_dir.h"
 
 namespace tetralux {
 namespace {
@@ -197,6 +198,43 @@ TEST(AppearanceData, NumbersThatAreNotFiniteAreRefused) {
   Appearance second = modulatedBy(ModulatedBy::Field);
   second.modulations[0].field = "color";
   EXPECT_EQ(errorOf(second, mesh), "m.vtu: array 'color': point 4: value is inf, expected a finite number");
+}
+
+// A triangle in the plane z = 0 and one of twice its area in the plane y = 0, with an edge in common.
+constexpr const char* kCorner = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 2\nf 1 2 3\nf 1 4 2\n";
+
+TEST(AppearanceData, NormalsOfSurfacesAreAreaWeightedMeans) {
+  const test::TempDir dir;
+  Appearance appearance;
+  appearance.surfaces.push_back({dir.write("corner.obj", kCorner), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0)});
+  for (const Shading shading : {Shading::None, Shading::Flat, Shading::Phong}) {
+    appearance.surfaces[0].shading = shading;
+    const AppearanceData data = dataOf(appearance);
+    ASSERT_EQ(data.surfaces.size(), 1u);
+    const OpaqueSurface& surface = data.surfaces[0];
+    EXPECT_EQ(surface.shading, shading);
+    EXPECT_EQ(surface.rgb, glm::dvec3(1, 0, 0));
+    EXPECT_EQ(surface.backRgb, glm::dvec3(0, 1, 0));
+    EXPECT_EQ(surface.points.size(), 4u);
+    EXPECT_EQ(surface.triangles.size(), 2u);
+    EXPECT_TRUE(data.gradients.empty());
+    if (shading != Shading::Phong) {
+      EXPECT_TRUE(surface.normals.empty());
+      continue;
+    }
+    ASSERT_EQ(surface.normals.size(), 4u);
+    const auto direction = [&](size_t i) { return glm::normalize(surface.normals[i]); };
+    EXPECT_LT(glm::distance(direction(0), glm::normalize(glm::dvec3(0, 2, 1))), 1e-15);
+    EXPECT_LT(glm::distance(direction(1), glm::normalize(glm::dvec3(0, 2, 1))), 1e-15);
+    EXPECT_EQ(direction(2), glm::dvec3(0, 0, 1));
+    EXPECT_EQ(direction(3), glm::dvec3(0, 1, 0));
+  }
+}
+
+TEST(AppearanceData, AMissingSurfaceIsAnError) {
+  Appearance appearance;
+  appearance.surfaces.push_back({"none.stl"});
+  EXPECT_EQ(errorOf(appearance), "none.stl: no such file");
 }
 
 }  // namespace
