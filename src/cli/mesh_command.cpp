@@ -104,6 +104,10 @@ class MeshCommand : public Command {
     app.add_option("--turns", options_.turns, "twisted: full turns (default: 0.5)");
     app.add_option("--jitter", options_.jitter, "jittered: largest move in edges (default: 0.1)")
         ->check(CLI::Range(0.0, 0.16));
+    app.add_option("--field-function", fieldFunction_,
+                   "sphere: adds the distance from the middle of the mesh's box, as array 'distance', and prefers it")
+        ->check(CLI::IsMember({"sphere"}))
+        ->type_name("FUNCTION");
     app.add_flag("--uncompressed", uncompressed_, "Raw numbers in the file: larger, quicker to read");
     addQuiet(app);
   }
@@ -114,7 +118,8 @@ class MeshCommand : public Command {
         *std::find_if(std::begin(kKinds), std::end(kKinds), [&](const MeshKind& k) { return k.name == kind_; });
     const double ratio = options_.ratio.value_or(kind.ratio);
     checkRatio(ratio);
-    const TetMesh mesh = kind.make(options_.cells.value_or(kind.cells), ratio, options_);
+    TetMesh mesh = kind.make(options_.cells.value_or(kind.cells), ratio, options_);
+    if (fieldFunction_ == "sphere") addPreferredField(mesh, "distance", distanceField(mesh.bounds().center()));
     VtuWriteOptions options;
     options.compress = !uncompressed_;
     writeVtu(mesh, output_, options);
@@ -137,6 +142,7 @@ class MeshCommand : public Command {
 
   std::string kind_;
   std::string output_;
+  std::string fieldFunction_;
   MeshOptions options_;
   bool uncompressed_ = false;
 };

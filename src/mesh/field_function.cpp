@@ -1,6 +1,7 @@
 #include "mesh/field_function.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "base/parallel.h"
@@ -24,6 +25,10 @@ void addPreferredField(TetMesh& mesh, const std::string& name, const FieldFuncti
 double waveField(const glm::dvec3& position) {
   // Frequencies without a common period, so that no symmetric mesh gets a symmetric field.
   return 0.5 + (std::sin(5.0 * position.x) + std::sin(6.0 * position.y) + std::sin(7.0 * position.z)) / 6.0;
+}
+
+FieldFunction distanceField(const glm::dvec3& center) {
+  return [center](const glm::dvec3& position) { return glm::distance(position, center); };
 }
 
 }  // namespace tetralux

@@ -22,4 +22,7 @@ void addPreferredField(TetMesh& mesh, const std::string& name, const FieldFuncti
 // unit length, between 0 and 1 everywhere.
 double waveField(const glm::dvec3& position);
 
+// |position - center|: its isosurfaces are spheres, and its gradient has length 1 everywhere but at the centre.
+FieldFunction distanceField(const glm::dvec3& center);
+
 }  // namespace tetralux

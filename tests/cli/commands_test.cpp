@@ -285,6 +285,13 @@ TEST_F(Commands, EveryKindOfMeshIsWrittenAndRead) {
   }
 }
 
+TEST_F(Commands, AnyKindOfMeshMayHaveTheDistanceFromItsMiddle) {
+  run({"mesh", "box", "--cells", "2000", "--field-function", "sphere", "-o", "k.vtu", "--quiet"});
+  const json arrays = json::parse(run({"info", "k.vtu", "--json"}).out)["arrays"];
+  ASSERT_EQ(arrays.size(), 2u);
+  EXPECT_EQ(arrays[1]["name"], "distance");
+}
+
 TEST_F(Commands, StabilityWritesItsThreeFiles) {
   run({"stability", "--out", "new/folder", "--region", "seams", "--region", "one pixel", "--quiet", "--validate"});
   for (const char* name : {"stability.csv", "stability.svg", "stability.html"})

@@ -131,6 +131,12 @@ TEST(AddPointField, WorksOnSinglePrecisionPoints) {
   EXPECT_EQ(mesh.pointArrays.at(0).value(1), static_cast<double>(0.1f) * static_cast<double>(0.1f));
 }
 
+TEST(DistanceField, IsTheDistanceFromItsCenter) {
+  const FieldFunction field = distanceField({1, 2, 3});
+  EXPECT_EQ(field({1, 2, 3}), 0.0);
+  EXPECT_EQ(field({4, 6, 15}), 13.0);
+}
+
 TEST(WaveField, StaysBetweenZeroAndOne) {
   for (const TetMesh& mesh : {kuhnGrid(20, 20, 20, {-3, -3, -3}, {3, 3, 3}, waveField)}) {
     const ScalarField field = scalarField(mesh, "", "grid");
