@@ -18,9 +18,15 @@ struct MeshPush {
 CellDraw::CellDraw(const gpu::Context& context, const std::string& fans, const std::string& gator,
                    const std::string& appearance)
     : context_(context),
-      fans_{loadShader(context, "raster/fan.vert"), loadShader(context, fans)},
-      gator_{loadShader(context, "raster/gator.vert"), loadShader(context, gator)},
-      appearance_{loadShader(context, "raster/fan.vert"), loadShader(context, appearance)} {}
+      fans_{"raster/fan.vert", fans, {}, {}},
+      gator_{"raster/gator.vert", gator, {}, {}},
+      appearance_{"raster/fan.vert", appearance, {}, {}} {}
+
+void CellDraw::Shaders::load(const gpu::Context& context) {
+  if (vertex) return;
+  vertex.emplace(loadShader(context, vertexName));
+  fragment.emplace(loadShader(context, fragmentName));
+}
 
 std::vector<gpu::Descriptor> CellDraw::bindings(const FrameVariant& variant, const CellBatch& batch) const {
   const TransferBuffer& transfer = batch.transfer;
@@ -91,9 +97,10 @@ const gpu::GraphicsPipeline& CellDraw::pipeline(const FrameVariant& variant, con
   gpu::GraphicsState state;
   if (!variant.gator) state.streams = {{VK_FORMAT_R32G32_SFLOAT, 8}, {VK_FORMAT_R32G32B32A32_SFLOAT, 16}};
   state.colorFormat = format;
-  const Shaders& shaders = variant.gator ? gator_ : appearance ? appearance_ : fans_;
+  Shaders& shaders = variant.gator ? gator_ : appearance ? appearance_ : fans_;
+  shaders.load(context_);
   return pipelines_
-      .emplace(std::move(key), gpu::GraphicsPipeline(context_, shaders.vertex, shaders.fragment, state, constants))
+      .emplace(std::move(key), gpu::GraphicsPipeline(context_, *shaders.vertex, *shaders.fragment, state, constants))
       .first->second;
 }
 

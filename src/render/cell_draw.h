@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,9 +54,14 @@ class CellDraw {
                                         VkFormat format, std::uint32_t kBuffer);
 
   const gpu::Context& context_;
+  // Loaded when first needed.
   struct Shaders {
-    gpu::Shader vertex;
-    gpu::Shader fragment;
+    std::string vertexName;
+    std::string fragmentName;
+    std::optional<gpu::Shader> vertex;
+    std::optional<gpu::Shader> fragment;
+
+    void load(const gpu::Context& context);
   };
   Shaders fans_;
   Shaders gator_;

@@ -1,8 +1,10 @@
-// Pipelines of one shader for different specialisation constants, made when first needed.
+// Pipelines of one shader for different specialisation constants. Shader and pipelines are made when first needed: a
+// large module takes tens of milliseconds where it is validated.
 #pragma once
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,7 +41,8 @@ class ComputeVariants {
 
  private:
   const gpu::Context& context_;
-  gpu::Shader shader_;
+  std::string name_;
+  std::optional<gpu::Shader> shader_;
   std::map<std::vector<std::pair<std::uint32_t, std::uint32_t>>, gpu::ComputePipeline> pipelines_;
 };
 
