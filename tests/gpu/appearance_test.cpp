@@ -105,8 +105,10 @@ TEST_F(GpuTest, SortedCellsAreClassifiedAlike) {
 TEST_F(GpuTest, ClipPlanesCutCellsExactly) {
   Appearance appearance;
   appearance.clip = {{{0.3, -0.2, 1.0}, -0.3}, {{0.0, 2.0, 0.0}, -0.8}, {{-1.0, 0.0, 0.3}, -0.5}};
+  size_t turn = 0;
   for (const auto& [name, mesh] : test::hardMeshes()) {
     for (const Camera& camera : test::orderViews(mesh)) {
+      if (turn++ % 3 != 0) continue;  // each kind of view with a third of the meshes
       const ImageDifference d = drawAppearance(context(), mesh, kFog, appearance, camera).difference();
       EXPECT_LE(d.rmse, 5e-6) << name;
       EXPECT_LE(d.max, 1e-3) << name;

@@ -59,13 +59,17 @@ std::vector<std::uint32_t> randomKeys(size_t count, std::uint32_t bits, std::mt1
   return keys;
 }
 
-TEST_P(SortPassTest, SortsEverySizeThroughTwoPartitionsAndOne) {
+TEST_P(SortPassTest, SortsSizesThroughTwoPartitionsAndOne) {
   std::mt19937 random(1);
   const std::uint32_t partition =
       GetParam().variant == SortVariant::Tiles ? shared::SORT_TILE_KEYS : shared::SORT_LEAST_CHUNKS;
-  // The path by addresses shares all but loads and stores: every seventh size will do.
-  const std::uint32_t step = GetParam().wideAddressing ? 7 : 1;
-  for (std::uint32_t size = 0; size <= 2 * partition + 1; size += step) {
+  // Every size near whole partitions and subgroups of them, every seventh between; the path by addresses shares all but
+  // loads and stores.
+  const std::uint32_t near = GetParam().wideAddressing ? 8 : 130;
+  const auto isNear = [&](std::uint32_t size) {
+    return size % partition < near || partition - size % partition < near;
+  };
+  for (std::uint32_t size = 0; size <= 2 * partition + 1; size += isNear(size) ? 1 : 7) {
     const auto keys = randomKeys(size, 8, random);
     ASSERT_EQ(sortOnDevice(keys, {0, 8}), expectedOrder(keys)) << size;
   }
