@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "base/error.h"
 #include "base/parallel.h"
 #include "render/surface_points.h"
 #include "shared/spec_ids.h"
@@ -18,6 +19,9 @@ constexpr size_t kGrain = 1 << 16;
 template <typename Texel>
 gpu::Buffer makeVertexTexels(const gpu::Context& context, size_t vertices, const char* name, const Texel& texel) {
   if (vertices == 0) return {};
+  if (vertices > context.info().largestTexelBuffer)
+    fail(ErrorCode::Device, "{} of {} points do not fit this device, whose texel buffers hold {}", name, vertices,
+         context.info().largestTexelBuffer);
   return gpu::makeBuffer<glm::vec4>(context, vertices, name, [&](std::span<glm::vec4> texels, size_t first) {
     parallelFor(texels.size(), kGrain, [&](size_t begin, size_t end, unsigned) {
       for (size_t i = begin; i < end; i++) texels[i] = texel(first + i);
