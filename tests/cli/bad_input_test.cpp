@@ -60,8 +60,11 @@ TEST(BadInput, ScenesAndMeshes) {
   expectInputError(kMesh, edited(kScene, "\"s\"", "\"t\""), "m.vtu: no array 't', the mesh has 's'");
   expectInputError(kMesh, edited(kScene, "[3, -4, 2]", "[0, 0, 0]"),
                    "s.json: camera: eye and center are both (0, 0, 0), expected two different points");
-  expectInputError(kMesh, edited(kScene, "\"image\"", "\"images\": 1, \"image\""),
-                   "s.json: images: unknown key, expected one of camera, field, image, mesh, transfer_function");
+  expectInputError(
+      kMesh, edited(kScene, "\"image\"", "\"images\": 1, \"image\""),
+      "s.json: images: unknown key, expected one of boundary_emphasis, camera, clip, field, image, isosurfaces, "
+      "lighting, mesh, opacity_by_gradient, rgba_field, second_field, silhouette_emphasis, surfaces, "
+      "transfer_function, transfer_function_2d, volume");
   expectInputError(kMesh, edited(kScene, "{\"points\"", "{\"emission\": \"per_area\", \"points\""),
                    "s.json: transfer_function.emission: found \"per_area\", expected one of \"per_extinction\", "
                    "\"per_length\"");
