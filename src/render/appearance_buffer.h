@@ -30,7 +30,7 @@ class AppearanceBuffer {
   // What march_appearance.comp is specialised for.
   const gpu::SpecConstants& specConstants() const { return constants_; }
 
-  // Largest extinction that does not come from the transfer function, with factors, 1/mesh unit.
+  // Largest extinction with all factors, or of what replaces the transfer function, 1/mesh unit.
   double largestExtinction(double ofTransferFunction) const;
 
   // As TransferBuffer's, for scalars that show: those of isosurfaces, too, and all where classification is by more.

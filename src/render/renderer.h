@@ -108,8 +108,8 @@ class Renderer {
   void setTransferFunction(const TransferFunction& transfer);
 
   // What is shown beside the volume, or instead of it, from now on: isosurfaces, lighting, clip planes, surfaces, other
-  // ways to classify. A default appearance costs nothing. Throws Error(Usage) where the projection is not
-  // CellProjection::March, and Error(Device).
+  // ways to classify. A default appearance costs nothing. Throws Error(Usage) where the projection is neither
+  // CellProjection::March nor, without surfaces, Silhouette; and Error(Device).
   //   data   makeAppearanceData() of the mesh's; need not outlive the call
   void setAppearance(const Appearance& appearance, const AppearanceData& data);
 

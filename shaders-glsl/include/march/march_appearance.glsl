@@ -1,5 +1,5 @@
-// Rays walk as in march.glsl, and beside the volume meet isosurfaces, clip planes and opaque surfaces (docs/appearance.md). A frame
-// without them runs march.glsl, which has never heard of them.
+// Rays walk as in march.glsl, with all that is shown beside the volume: isosurfaces, other classification, clip planes, opaque surfaces
+// (docs/appearance.md). A frame without any of it runs march.glsl, which has never heard of them.
 //
 // A ray that comes to an isosurface leaves the loop over parts: on processors an untaken branch costs what a taken one does, so the
 // surface is shaded outside of it, once for all rays of a subgroup that have come to their next one.

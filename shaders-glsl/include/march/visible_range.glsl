@@ -1,6 +1,6 @@
 // The part of a ray that shows: in front of the eye, within all clip planes, before the nearest opaque surface.
 //
-// Before including: ray_walk.glsl, ray_direction.glsl, appearance_texels.glsl; RAY_ENDS is a binding number.
+// Before including: ray_signs.glsl, ray_direction.glsl, appearance_texels.glsl; RAY_ENDS is a binding number.
 layout(constant_id = SPEC_RAY_ENDS) const bool kRayEnds = false;
 
 layout(binding = RAY_ENDS) uniform samplerBuffer rayEnds;  // per pixel of the band: rgb of the opaque surface, depth from the mesh's centre
