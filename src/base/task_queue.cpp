@@ -4,18 +4,18 @@
 
 namespace tetralux {
 
-TaskQueue::TaskQueue(size_t capacity) : capacity_(capacity) {
-  if (capacity > 0) thread_ = std::thread([this] { work(); });
+TaskQueue::TaskQueue(size_t capacity, unsigned threadCount) : capacity_(capacity) {
+  if (capacity == 0) return;
+  for (unsigned i = 0; i < threadCount; i++) threads_.emplace_back([this] { work(); });
 }
 
 TaskQueue::~TaskQueue() {
-  if (!thread_.joinable()) return;
   {
     const std::lock_guard lock(mutex_);
     isOver_ = true;
   }
-  given_.notify_one();
-  thread_.join();
+  given_.notify_all();
+  for (std::thread& thread : threads_) thread.join();
 }
 
 void TaskQueue::work() {
@@ -23,8 +23,9 @@ void TaskQueue::work() {
   for (;;) {
     given_.wait(lock, [&] { return isOver_ || !tasks_.empty(); });
     if (tasks_.empty()) return;
+    std::function<void()> task = std::move(tasks_.front());
+    tasks_.pop_front();
     if (!hasFailed_) {
-      std::function<void()>& task = tasks_.front();  // push() moves no elements
       lock.unlock();
       std::exception_ptr error;
       try {
@@ -34,10 +35,10 @@ void TaskQueue::work() {
       }
       task = nullptr;  // what it holds goes before there is room for another
       lock.lock();
-      error_ = error;
-      hasFailed_ = error != nullptr;
+      if (error && !hasFailed_) error_ = error;
+      hasFailed_ = hasFailed_ || error;
     }
-    tasks_.pop_front();
+    unfinished_--;
     done_.notify_all();
   }
 }
@@ -56,16 +57,17 @@ void TaskQueue::push(std::function<void()> task) {
   }
   {
     std::unique_lock lock(mutex_);
-    done_.wait(lock, [&] { return hasFailed_ || tasks_.size() < capacity_; });
+    done_.wait(lock, [&] { return hasFailed_ || unfinished_ < capacity_; });
     throwError(lock);
     tasks_.push_back(std::move(task));
+    unfinished_++;
   }
   given_.notify_one();
 }
 
 void TaskQueue::finish() {
   std::unique_lock lock(mutex_);
-  done_.wait(lock, [&] { return tasks_.empty(); });
+  done_.wait(lock, [&] { return unfinished_ == 0; });
   throwError(lock);
 }
 

@@ -1,4 +1,4 @@
-// Work that is done on a thread of its own, in order, while its giver goes on.
+// Work that is done on threads of its own while its giver goes on.
 #pragma once
 
 #include <condition_variable>
@@ -8,14 +8,17 @@
 #include <functional>
 #include <mutex>
 #include <thread>
+#include <vector>
 
 namespace tetralux {
 
-// Tasks run one after the other, in the order they were given. After the first that throws, the others are dropped.
+// Tasks begin in the order they were given; on one thread, each ends before the next begins. After the first that
+// throws, those that have not begun are dropped.
 class TaskQueue {
  public:
-  //   capacity   tasks that may be unfinished at a time; with 0 there is no thread, and push() does the task itself
-  explicit TaskQueue(size_t capacity);
+  //   capacity      tasks that may be unfinished at a time; with 0 there is no thread, and push() does the task itself
+  //   threadCount   at least 1
+  explicit TaskQueue(size_t capacity, unsigned threadCount = 1);
   // Finishes what was given. Errors are dropped: finish() is for those.
   ~TaskQueue();
   TaskQueue(const TaskQueue&) = delete;
@@ -36,11 +39,12 @@ class TaskQueue {
   std::mutex mutex_;
   std::condition_variable given_;  // a task, or the end
   std::condition_variable done_;
-  std::deque<std::function<void()>> tasks_;  // the first is being done
+  std::deque<std::function<void()>> tasks_;  // not begun
+  size_t unfinished_ = 0;                    // those, and those that run
   std::exception_ptr error_;                 // until it is thrown
   bool hasFailed_ = false;
   bool isOver_ = false;
-  std::thread thread_;  // last: the others are there when it starts
+  std::vector<std::thread> threads_;  // last: the others are there when they start
 };
 
 }  // namespace tetralux

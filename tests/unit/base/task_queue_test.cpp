@@ -49,6 +49,28 @@ TEST(TaskQueue, GoesOnWhileATaskRuns) {
   queue.finish();
 }
 
+TEST(TaskQueue, ThreadsWorkSideBySide) {
+  std::atomic<int> running = 0;
+  std::atomic<int> done = 0;
+  TaskQueue queue(3, 3);
+  for (int i = 0; i < 6; i++) {
+    queue.push([&] {
+      // Each batch of three ends only if all of them run at the same time.
+      const int batchEnd = 3 * (running++ / 3 + 1);
+      while (running < batchEnd) std::this_thread::yield();
+      done++;
+    });
+  }
+  queue.finish();
+  EXPECT_EQ(done, 6);
+  EXPECT_EQ(test::errorOf(ErrorCode::Output,
+                          [&] {
+                            for (int i = 0; i < 9; i++) queue.push([] { fail(ErrorCode::Output, "all fail"); });
+                            queue.finish();
+                          }),
+            "all fail");
+}
+
 TEST(TaskQueue, ThrowsWhatATaskThrewAndDropsTheOthers) {
   for (const size_t capacity : {1u, 3u}) {
     int done = 0;
