@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/floor_report.h"
 #include "cli/load_scene.h"
+#include "cli/sequence_time.h"
 #include "cli/stats_json.h"
 #include "cli/timed_frames.h"
 #include "reference/picture_check.h"
@@ -38,6 +39,8 @@ class BenchCommand : public Command {
     app.add_flag("--floor", floor_,
                  "Measure what the passes could cost at least: a copy of what they move, triangles of one colour, an "
                  "empty submission");
+    app.add_flag("--sequence", sequence_,
+                 "Measure by the host's clock how fast pictures arrive, one after the other and with the next begun");
     app.add_flag("--json", json_, "Print JSON: one array with an object per scene");
     app.add_option("--stats", statsFile_, "Write the same array to a file")->type_name("FILE.json");
     sceneOptions_.add(app);
@@ -54,6 +57,7 @@ class BenchCommand : public Command {
       if (json_) continue;
       printRow(all.back());
       if (floor_) printFloor(all.back()["floor"]);
+      if (sequence_) printSequence(all.back()["sequence"]);
     }
     if (json_) fmt::print("{}\n", all.dump(1));
     if (!statsFile_.empty()) writeFile(statsFile_, all.dump(1) + "\n");
@@ -108,7 +112,13 @@ class BenchCommand : public Command {
     if (floor_)
       json["floor"] = floorJson(context, renderer, first, loaded.scene.size, options, loaded.mesh.cellCount(),
                                 loaded.mesh.pointCount(), run.frames);
+    if (sequence_) json["sequence"] = sequenceJson(renderer, first, loaded.scene.size, options, frames_);
     return json;
+  }
+
+  static void printSequence(const nlohmann::ordered_json& j) {
+    fmt::print("  a picture on the host every {:.2f} ms one after the other, {:.2f} ms with the next begun\n",
+               j["alone_ms"].get<double>(), j["in_flight_ms"].get<double>());
   }
 
   static void printHeader(const gpu::DeviceInfo& device) {
@@ -138,6 +148,7 @@ class BenchCommand : public Command {
   double maxRmse_ = 5e-5;
   std::uint32_t checkPixels_ = 1000;
   bool floor_ = false;
+  bool sequence_ = false;
   bool json_ = false;
   std::string statsFile_;
   SceneOptions sceneOptions_;

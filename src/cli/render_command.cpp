@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <future>
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/parallel.h"
 #include "base/progress.h"
 #include "base/task_queue.h"
 #include "cli/certify_options.h"
@@ -12,12 +14,20 @@
 #include "cli/load_scene.h"
 #include "cli/stats_json.h"
 #include "cli/write_image.h"
+#include "render/warm_pipelines.h"
+#include "scene/scene_file.h"
 
 namespace tetralux::cli {
 namespace {
 
-// Pictures that may wait to be written while the next is drawn: one in hand, and one so that the writer need not wait.
-constexpr size_t kPicturesInFlight = 2;
+// Threads that encode and write pictures while the next are drawn. A GPU draws tens of pictures in the time that one
+// takes; a processor that draws wants its cores for that.
+unsigned writerCount(const gpu::DeviceInfo& device) {
+  return device.isCpu ? 1 : std::clamp(workerCount() / 2, 1u, 16u);
+}
+
+// Frames that the device may have in hand: it draws one while the host takes the other's picture.
+constexpr size_t kFramesInFlight = 2;
 
 class RenderCommand : public Command {
  public:
@@ -45,16 +55,19 @@ class RenderCommand : public Command {
     const std::vector<FramePattern> patterns = outputPatterns();
     ExrOptions exr = exrOptions_.exrOptions();
     render::RenderOptions options = deviceOptions_.renderOptions();
-    // Vulkan starts while the mesh is read: neither needs the other, and each takes tens of milliseconds at least.
-    auto starting = std::async(std::launch::async, [contextOptions = deviceOptions_.contextOptions()] {
-      return std::make_unique<gpu::Context>(contextOptions);
-    });
-    LoadedScene loaded = loadScene(input_, sceneOptions_);
-    const std::unique_ptr<gpu::Context> startedContext = starting.get();
-    const gpu::Context& context = *startedContext;
     render::RendererOptions rendererOptions = deviceOptions_.rendererOptions();
     rendererOptions.checkOrder = !statsFile_.empty();
-    render::Renderer renderer(context, loaded.mesh, loaded.field, rendererOptions);
+    // Vulkan starts while the mesh is read: neither needs the other, and each takes tens of milliseconds at least.
+    auto starting = std::async(std::launch::async, [&] {
+      Started started{std::make_unique<gpu::Context>(deviceOptions_.contextOptions()), nullptr};
+      if (const auto frame = likelyFrame(options))
+        started.pass = render::warmPipelines(*started.context, rendererOptions, *frame);
+      return started;
+    });
+    LoadedScene loaded = loadScene(input_, sceneOptions_);
+    Started started = starting.get();
+    const gpu::Context& context = *started.context;
+    render::Renderer renderer(context, loaded.mesh, loaded.field, rendererOptions, std::move(started.pass));
     if (certifyOptions_.count == 0) loaded.releaseMesh();
     renderer.setTransferFunction(loaded.scene.transferFunction);
     renderer.setAppearance(loaded.scene.appearance, loaded.appearanceData);
@@ -62,12 +75,17 @@ class RenderCommand : public Command {
     Certifier certifier(certifyOptions_);
     RunStats run;
     Progress progress("render", frames_);
-    // A processor that draws is not disturbed while it is timed.
-    TaskQueue writing(options.timed && context.info().isCpu ? 0 : kPicturesInFlight);
+    // A processor that draws is not disturbed while it is timed. One picture may wait, so that no writer need wait.
+    const unsigned writers = writerCount(context.info());
+    TaskQueue writing(options.timed && context.info().isCpu ? 0 : writers + 1, writers);
+    const auto cameraOf = [&](std::uint32_t frame) { return loaded.scene.camera.turned(360.0 * frame / frames_); };
+    std::uint32_t begun = 0;
     for (std::uint32_t frame = 0; frame < frames_; frame++) {
-      const Camera camera = loaded.scene.camera.turned(360.0 * frame / frames_);
-      render::FrameStats stats = renderer.draw(camera, loaded.scene.size, options);
-      const auto image = std::make_shared<const Image>(renderer.readImage(&stats));
+      while (begun < frames_ && renderer.inFlight() < kFramesInFlight)
+        renderer.begin(cameraOf(begun++), loaded.scene.size, options);
+      auto [stats, picture] = renderer.finish();
+      const Camera camera = cameraOf(frame);
+      const auto image = std::make_shared<const Image>(std::move(picture));
       failOnValidationMessages();
       exr.attributes = settings(loaded, context.info(), stats);
       const auto certificate = certifier.certify(loaded.exact(camera), *image);
@@ -91,6 +109,26 @@ class RenderCommand : public Command {
   }
 
  private:
+  // What is made while the mesh is read.
+  struct Started {
+    std::unique_ptr<gpu::Context> context;
+    std::unique_ptr<render::MarchPass> pass;
+  };
+
+  // What the scene file tells of the first frame; nothing where there is none, or more to show than a volume. Its
+  // errors are loadScene()'s to report.
+  std::optional<render::LikelyFrame> likelyFrame(const render::RenderOptions& options) const {
+    if (!isSceneFile(input_)) return std::nullopt;
+    try {
+      Scene scene = readScene(input_);
+      sceneOptions_.appearance.apply(scene.appearance);
+      if (!scene.appearance.isPlain()) return std::nullopt;
+      return render::LikelyFrame{scene.camera.projection, scene.transferFunction, options};
+    } catch (const Error&) {
+      return std::nullopt;
+    }
+  }
+
   std::vector<FramePattern> outputPatterns() const {
     std::vector<std::string> names = outputs_;
     if (names.empty())

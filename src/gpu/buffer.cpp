@@ -13,24 +13,6 @@ namespace {
 
 constexpr std::uint64_t kStagingBytes = 64ull << 20;
 
-std::uint64_t bytesPerTexel(VkFormat format) {
-  switch (format) {
-    case VK_FORMAT_R8_UINT:
-      return 1;
-    case VK_FORMAT_R32G32_SFLOAT:
-    case VK_FORMAT_R32G32_UINT:
-      return 8;
-    case VK_FORMAT_R32_UINT:
-    case VK_FORMAT_R32_SFLOAT:
-      return 4;
-    case VK_FORMAT_R32G32B32A32_UINT:
-    case VK_FORMAT_R32G32B32A32_SFLOAT:
-      return 16;
-    default:
-      checkFailed(__FILE__, __LINE__, "a texel format that nothing here uses");
-  }
-}
-
 VkDeviceMemory allocate(const Context& context, const VkMemoryRequirements& needed, MemoryKind kind,
                         const std::string& name, bool& isMappable) {
   VkMemoryPropertyFlags required = 0;
@@ -72,10 +54,28 @@ VkDeviceMemory allocate(const Context& context, const VkMemoryRequirements& need
 
 }  // namespace
 
+std::uint64_t bytesPerTexel(VkFormat format) {
+  switch (format) {
+    case VK_FORMAT_R8_UINT:
+      return 1;
+    case VK_FORMAT_R32G32_SFLOAT:
+    case VK_FORMAT_R32G32_UINT:
+      return 8;
+    case VK_FORMAT_R32_UINT:
+    case VK_FORMAT_R32_SFLOAT:
+      return 4;
+    case VK_FORMAT_R32G32B32A32_UINT:
+    case VK_FORMAT_R32G32B32A32_SFLOAT:
+      return 16;
+    default:
+      checkFailed(__FILE__, __LINE__, "a texel format that nothing here uses");
+  }
+}
+
 Buffer::Buffer(const Context& context, std::uint64_t sizeBytes, MemoryKind kind, const std::string& name)
     : sizeBytes_((std::max<std::uint64_t>(sizeBytes, 4) + 3) / 4 * 4) {
   VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
-  info.size = sizeBytes_;
+  info.size = allocatedBytes();
   info.usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
   if (kind == MemoryKind::Device) {
     info.usage |= VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT |
@@ -101,15 +101,17 @@ Buffer::Buffer(const Context& context, std::uint64_t sizeBytes, MemoryKind kind,
   }
 }
 
-TexelView::TexelView(const Context& context, const Buffer& buffer, VkFormat format, std::uint64_t elements) {
+TexelView::TexelView(const Context& context, const Buffer& buffer, VkFormat format, std::uint64_t offsetBytes,
+                     std::uint64_t sizeBytes) {
   const std::uint64_t texelBytes = bytesPerTexel(format);
-  const std::uint64_t available = buffer.sizeBytes() / texelBytes;
-  const std::uint64_t wanted = elements == 0 ? available : elements;
-  CHECK_LE(wanted, available);
+  CHECK_EQ(offsetBytes % kTexelViewAlignment, 0u);
+  CHECK_LE(offsetBytes + sizeBytes, buffer.allocatedBytes());
+  const std::uint64_t elements = (sizeBytes > 0 ? sizeBytes : buffer.allocatedBytes() - offsetBytes) / texelBytes;
   VkBufferViewCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO};
   info.buffer = buffer.get();
   info.format = format;
-  info.range = std::min<std::uint64_t>(wanted, context.info().largestTexelBuffer) * texelBytes;
+  info.offset = offsetBytes;
+  info.range = std::min<std::uint64_t>(elements, context.info().largestTexelBuffer) * texelBytes;
   VkBufferView view = VK_NULL_HANDLE;
   VK_CHECK(vkCreateBufferView(context.device(), &info, nullptr, &view));
   view_ = {context.device(), view, vkDestroyBufferView};
@@ -121,6 +123,13 @@ void upload(const Context& context, const Buffer& buffer, const void* data, std:
   if (sizeBytes == 0) return;
   if (buffer.mapped()) {
     std::memcpy(static_cast<char*>(buffer.mapped()) + offsetBytes, data, sizeBytes);
+    return;
+  }
+  if (sizeBytes <= kSmallBytes && sizeBytes % 4 == 0) {
+    CommandBuffer commands(context);
+    commands.update(buffer, data, sizeBytes, offsetBytes);
+    commands.barrier(access::kTransferWrite, access::kAnyRead);
+    commands.submitAndWait();
     return;
   }
   const Buffer staging(context, std::min(sizeBytes, kStagingBytes), MemoryKind::Upload, "staging");
@@ -159,7 +168,10 @@ void download(const Context& context, const Buffer& buffer, void* data, std::uin
     std::memcpy(data, static_cast<const char*>(buffer.mapped()) + offsetBytes, sizeBytes);
     return;
   }
-  const Buffer staging(context, std::min(sizeBytes, kStagingBytes), MemoryKind::Readback, "staging");
+  std::optional<Buffer> large;
+  if (sizeBytes > kSmallBytes)
+    large.emplace(context, std::min(sizeBytes, kStagingBytes), MemoryKind::Readback, "staging");
+  const Buffer& staging = large ? *large : context.smallReadback();
   for (std::uint64_t done = 0; done < sizeBytes; done += kStagingBytes) {
     const std::uint64_t part = std::min(kStagingBytes, sizeBytes - done);
     CommandBuffer commands(context);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -14,12 +15,23 @@
 
 namespace tetralux::gpu {
 
+// What counts as little where host and device exchange it: drivers take up to a millisecond to give memory and take it
+// back, many times what a copy takes, so for this much there is a way without.
+inline constexpr std::uint64_t kSmallBytes = 1u << 16;
+
 // Which side of the bus a buffer is on.
 enum class MemoryKind {
   Device,    // fast for the device; mapped only where all memory is one
   Readback,  // mapped, cached: the device writes, the host reads
   Upload,    // mapped: the host writes, the device reads
 };
+
+// Lavapipe compiles a shader anew for texel buffers whose size in bytes is a power of two, and for such without a bit
+// from the 8th to the 15th. With this size, not much larger, a shader is compiled once, whatever the mesh.
+constexpr std::uint64_t paddedTexelBytes(std::uint64_t bytes) {
+  while ((bytes >> 8 & 0xffu) == 0 || std::has_single_bit(bytes)) bytes += 256;
+  return bytes;
+}
 
 // A buffer with memory of its own, usable in every way that the frame uses one. Move-only.
 class Buffer {
@@ -32,6 +44,8 @@ class Buffer {
 
   VkBuffer get() const { return buffer_.get(); }
   std::uint64_t sizeBytes() const { return sizeBytes_; }
+  // A little more than that: paddedTexelBytes().
+  std::uint64_t allocatedBytes() const { return paddedTexelBytes(sizeBytes_); }
   VkDeviceAddress address() const { return address_; }
   // Mapped memory, or null.
   void* mapped() const { return mapped_; }
@@ -49,12 +63,20 @@ class Buffer {
   DeviceHandle<VkBuffer> buffer_;  // declared after its memory: destroyed before it
 };
 
+// Where a texel view may begin, bytes: the largest minTexelBufferOffsetAlignment that Vulkan allows.
+inline constexpr std::uint64_t kTexelViewAlignment = 256;
+
+// Of the formats that texel views have here.
+std::uint64_t bytesPerTexel(VkFormat format);
+
 // A typed window on a buffer, read with texelFetch.
 class TexelView {
  public:
   TexelView() = default;
-  //   elements   0: all that fit; more than the device allows: as many as it allows
-  TexelView(const Context& context, const Buffer& buffer, VkFormat format, std::uint64_t elements = 0);
+  // From an offset on, a multiple of kTexelViewAlignment: so many bytes, or all that there are; if that is more than
+  // the device allows, as much as it allows.
+  TexelView(const Context& context, const Buffer& buffer, VkFormat format, std::uint64_t offsetBytes = 0,
+            std::uint64_t sizeBytes = 0);
 
   VkBufferView get() const { return view_.get(); }
 

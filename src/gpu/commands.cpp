@@ -226,7 +226,15 @@ void CommandBuffer::copyToBuffer(const SampledImage& image, const Buffer& buffer
                access::kTransferRead, access::kAnyRead);
 }
 
-double CommandBuffer::submitAndWait() {
+void CommandBuffer::update(const Buffer& buffer, const void* data, std::uint64_t sizeBytes, std::uint64_t offsetBytes) {
+  CHECK_LE(offsetBytes + sizeBytes, buffer.sizeBytes());
+  constexpr std::uint64_t kLargest = 65536;  // that Vulkan takes at once
+  for (std::uint64_t done = 0; done < sizeBytes; done += kLargest)
+    vkCmdUpdateBuffer(commands_, buffer.get(), offsetBytes + done, std::min(kLargest, sizeBytes - done),
+                      static_cast<const char*>(data) + done);
+}
+
+void CommandBuffer::submit() {
   VK_CHECK(vkEndCommandBuffer(commands_));
   VkFenceCreateInfo fenceInfo{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
   VkFence fence = VK_NULL_HANDLE;
@@ -237,10 +245,21 @@ double CommandBuffer::submitAndWait() {
   VkSubmitInfo2 info{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
   info.commandBufferInfoCount = 1;
   info.pCommandBufferInfos = &commandInfo;
-  const auto start = std::chrono::steady_clock::now();
   VK_CHECK(vkQueueSubmit2(context_->queue(), 1, &info, fence));
+}
+
+void CommandBuffer::wait() {
+  const VkFence fence = fence_.get();
   VK_CHECK(vkWaitForFences(context_->device(), 1, &fence, VK_TRUE, UINT64_MAX));
+}
+
+double CommandBuffer::submitAndWait() {
+  const auto start = std::chrono::steady_clock::now();
+  submit();
+  wait();
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
+
+void waitUntilIdle(const Context& context) { VK_CHECK(vkQueueWaitIdle(context.queue())); }
 
 }  // namespace tetralux::gpu

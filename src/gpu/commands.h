@@ -141,7 +141,15 @@ class CommandBuffer {
   // The same back; the image must have been filled, and can be read by shaders again.
   void copyToBuffer(const SampledImage& image, const Buffer& buffer);
 
-  // Ends recording, runs everything and waits for it. Returns the wall time of submission and wait, ms.
+  // Overwrites some of a buffer with little: the data are taken from `data` now, and travel with the commands.
+  //   sizeBytes   a multiple of 4, like the offset
+  void update(const Buffer& buffer, const void* data, std::uint64_t sizeBytes, std::uint64_t offsetBytes = 0);
+
+  // Ends recording and hands everything to the device. wait() is owed.
+  void submit();
+  // Waits until what was submitted has run.
+  void wait();
+  // Both. Returns the wall time of submission and wait, ms.
   double submitAndWait();
 
  private:
@@ -160,6 +168,9 @@ class CommandBuffer {
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
   DeviceHandle<VkFence> fence_;
 };
+
+// Waits until the device has nothing left to do.
+void waitUntilIdle(const Context& context);
 
 // Push constants of a shader that has none.
 struct NoPush {};

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "gpu/buffer.h"
 #include "gpu/validation.h"
 
 namespace tetralux::gpu {
@@ -93,6 +94,7 @@ Context::Context(const ContextOptions& options) : availableBytes_(options.availa
     createInstance(options.validation);
     chooseDevice(options.device);
     createDevice();
+    smallReadback_ = std::make_unique<Buffer>(*this, kSmallBytes, MemoryKind::Readback, "small downloads");
   } catch (...) {
     destroy();
     throw;
@@ -102,6 +104,7 @@ Context::Context(const ContextOptions& options) : availableBytes_(options.availa
 Context::~Context() { destroy(); }
 
 void Context::destroy() {
+  smallReadback_.reset();
   if (commandPool_) vkDestroyCommandPool(device_, commandPool_, nullptr);
   if (device_) vkDestroyDevice(device_, nullptr);
   if (messenger_) destroyMessenger_(instance_, messenger_, nullptr);

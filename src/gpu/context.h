@@ -1,6 +1,7 @@
 // Instance, device and queue.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,8 @@
 #include "gpu/vulkan.h"
 
 namespace tetralux::gpu {
+
+class Buffer;
 
 struct ContextOptions {
   // A device's index, or a part of its name (case ignored). Empty: the first usable one of the best type (discrete,
@@ -47,6 +50,9 @@ class Context {
   std::uint32_t memoryType(std::uint32_t allowedTypes, VkMemoryPropertyFlags required,
                            VkMemoryPropertyFlags preferred) const;
 
+  // What up to kSmallBytes (gpu/buffer.h) come back through; busy while download() runs.
+  const Buffer& smallReadback() const { return *smallReadback_; }
+
   // Gives an object a name that validation messages and debuggers show. Nothing without validation.
   void setName(VkObjectType type, std::uint64_t handle, const std::string& name) const;
 
@@ -70,6 +76,7 @@ class Context {
   float timestampPeriodNs_ = 1.0f;
   bool validation_ = false;
   std::optional<std::uint64_t> availableBytes_;
+  std::unique_ptr<Buffer> smallReadback_;
 };
 
 // All devices that Vulkan knows on this machine. Throws Error(Device) when there is no loader.

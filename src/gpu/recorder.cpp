@@ -59,14 +59,26 @@ void Recorder::endPass() {
 }
 
 void Recorder::sync() {
+  submit();
+  wait();
+}
+
+void Recorder::submit() {
   endPass();
   if (timing_ == PassTiming::Submits) return;  // every pass has run already
+  // Also what keeps the next submission from writing what this one still reads.
   commands_->barrier(access::kAnyWrite, access::kAnyRead | access::kHostRead);
-  const double milliseconds = commands_->submitAndWait();
+  submitted_ = std::chrono::steady_clock::now();
+  commands_->submit();
+}
+
+void Recorder::wait() {
+  if (timing_ == PassTiming::Submits) return;
+  commands_->wait();
   if (timing_ == PassTiming::Timestamps)
     collectTimestamps();
   else
-    totalMs_ += milliseconds;
+    totalMs_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - submitted_).count();
   begin();
 }
 

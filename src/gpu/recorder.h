@@ -1,6 +1,7 @@
 // A frame's commands, pass by pass, timed in the way that is right for the device.
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <string>
 #include <vector>
@@ -34,6 +35,10 @@ class Recorder {
   // Ends the last pass, runs what has not run yet and waits: results can be read on the host. Recording may go on.
   void sync();
 
+  // The two halves of sync(): the host may do other things between them, but not record.
+  void submit();
+  void wait();
+
   // After sync(): one entry per name in order of first use; empty when timing is off.
   const std::vector<PassTime>& passTimes() const { return times_; }
   // After sync(): what all that was recorded took, ms. The host's work between submissions is left out.
@@ -53,6 +58,7 @@ class Recorder {
   DeviceHandle<VkQueryPool> queries_;
   std::vector<PassTime> times_;
   double totalMs_ = 0.0;
+  std::chrono::steady_clock::time_point submitted_;
 };
 
 }  // namespace tetralux::gpu

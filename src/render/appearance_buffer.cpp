@@ -1,6 +1,7 @@
 #include "render/appearance_buffer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -121,13 +122,6 @@ double AppearanceBuffer::largestExtinction(double ofTransferFunction) const {
 
 void AppearanceBuffer::setTransfer(const TransferBuffer& transfer) {
   const SurfacePoints points = insertIsovalues(transfer.pointTexels(), transfer.pointScalarTexels(), isovalues_);
-  pointView_ = {};
-  pointScalarView_ = {};
-  pointBuffer_ = gpu::makeBuffer(context_, points.points, "walk points");
-  pointScalarBuffer_ = gpu::makeBuffer(context_, points.scalars, "walk point scalars");
-  pointView_ = gpu::TexelView(context_, pointBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT);
-  pointScalarView_ = gpu::TexelView(context_, pointScalarBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT);
-
   std::vector<glm::vec4> support = transfer.supportIntervals();
   constexpr float kEverywhere = 1e30f;
   if (replacesTransfer_) support.assign(1, {-kEverywhere, kEverywhere, 0.0f, 0.0f});
@@ -135,12 +129,14 @@ void AppearanceBuffer::setTransfer(const TransferBuffer& transfer) {
     support.emplace_back(std::nextafter(value, -kEverywhere), std::nextafter(value, kEverywhere), 0.0f, 0.0f);
   supportCount_ = static_cast<std::uint32_t>(support.size());
   if (support.empty()) support.emplace_back(0.0f);
-  supportView_ = {};
-  supportBuffer_ = gpu::makeBuffer(context_, support, "appearance support");
-  supportView_ = gpu::TexelView(context_, supportBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT);
+  constexpr VkFormat kFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
+  const std::array<gpu::TableView, 3> views = {{{&pointView_, kFormat, gpu::bytesOf(points.points)},
+                                                {&pointScalarView_, kFormat, gpu::bytesOf(points.scalars)},
+                                                {&supportView_, kFormat, gpu::bytesOf(support)}}};
+  transferTables_.set(context_, views, "walk points");
 }
 
-void AppearanceBuffer::setCamera(const Camera& camera) {
+void AppearanceBuffer::recordCamera(gpu::CommandBuffer& commands, const Camera& camera) const {
   if (clip_.empty()) return;
   const glm::dmat3 rotation = camera.viewRotation();
   std::vector<glm::vec4> planes;
@@ -149,13 +145,12 @@ void AppearanceBuffer::setCamera(const Camera& camera) {
     const glm::dvec3 normal = plane.normal / length;
     planes.emplace_back(rotation * normal, (glm::dot(normal, camera.eye) - plane.offset / length) / space_.scale);
   }
-  gpu::upload(context_, texelBuffer_, planes.data(), planes.size() * sizeof(glm::vec4));
+  commands.update(texelBuffer_, planes.data(), planes.size() * sizeof(glm::vec4));
 }
 
 std::uint64_t AppearanceBuffer::sizeBytes() const {
-  std::uint64_t bytes = 0;
-  for (const gpu::Buffer* buffer : {&texelBuffer_, &gradientBuffer_, &numberBuffer_, &colorBuffer_, &pointBuffer_,
-                                    &pointScalarBuffer_, &supportBuffer_})
+  std::uint64_t bytes = transferTables_.sizeBytes();
+  for (const gpu::Buffer* buffer : {&texelBuffer_, &gradientBuffer_, &numberBuffer_, &colorBuffer_})
     bytes += buffer->sizeBytes();
   return bytes;
 }

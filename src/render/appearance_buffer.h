@@ -4,7 +4,8 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "gpu/buffer.h"
+#include "gpu/commands.h"
+#include "gpu/packed_tables.h"
 #include "gpu/pipeline.h"
 #include "render/appearance_texels.h"
 #include "render/mesh_space.h"
@@ -24,8 +25,8 @@ class AppearanceBuffer {
   // Merges the transfer function's control points with the isovalues.
   void setTransfer(const TransferBuffer& transfer);
 
-  // Clip planes as a camera sees them.
-  void setCamera(const Camera& camera);
+  // Records that clip planes are as a camera sees them. Transfer writes: barriers are owed.
+  void recordCamera(gpu::CommandBuffer& commands, const Camera& camera) const;
 
   // What march_appearance.comp is specialised for.
   const gpu::SpecConstants& specConstants() const { return constants_; }
@@ -58,9 +59,7 @@ class AppearanceBuffer {
   gpu::Buffer gradientBuffer_;
   gpu::Buffer numberBuffer_;
   gpu::Buffer colorBuffer_;
-  gpu::Buffer pointBuffer_;
-  gpu::Buffer pointScalarBuffer_;
-  gpu::Buffer supportBuffer_;
+  gpu::PackedTables transferTables_;
   gpu::TexelView texelView_;
   gpu::TexelView gradientView_;
   gpu::TexelView numberView_;

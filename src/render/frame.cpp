@@ -125,24 +125,63 @@ void drawApart(Frame& frame, const CellSequence& sequence, SlotSpan slots) {
   }
 }
 
-// Runs the recorder with work that counts the rays it does not finish, again and again until there are none. Returns
-// the counts.
+// The view of a frame, for all that follows.
+void recordView(gpu::CommandBuffer& commands, const FrameInputs& inputs, const gpu::Buffer& view) {
+  commands.update(view, &inputs.setup.view, sizeof inputs.setup.view);
+  if (inputs.appearance) inputs.appearance->recordCamera(commands, inputs.camera);
+  commands.barrier(kTransferWrite, kAnyRead);
+}
+
+// Runs work that counts the rays it does not finish, again and again until there are none. Returns the counts.
 template <typename Record>
 shared::MarchCounts untilThrough(gpu::Recorder& recorder, const FrameInputs& inputs, const MarchStorage& storage,
-                                 const char* pass, const Record& record) {
+                                 const Record& record) {
   // A ray meets a cell once, so this many times are enough; rounding may not make it go in circles for ever.
   const std::uint32_t most = 16 + 4 * (inputs.mesh.cellCount() / shared::MARCH_CELLS);
-  shared::MarchCounts counts{};
+  const shared::MarchCounts& counts = storage.hostCounts().as<shared::MarchCounts>()[0];
   for (std::uint32_t i = 0; i < most; i++) {
-    gpu::CommandBuffer& commands = recorder.pass(pass);
-    storage.recordClearUnfinished(commands);
-    commands.barrier(kTransferWrite, kComputeReadWrite);
-    record(commands);
+    record();
     recorder.sync();
-    gpu::download(inputs.context, storage.counts(), &counts, sizeof counts);
     if (counts.unfinished == 0) break;
   }
   return counts;
+}
+
+// enter: the faces through which each ray comes in
+void recordEnter(gpu::Recorder& recorder, const FrameInputs& inputs, MarchPass& pass, const MarchStorage& storage,
+                 const shared::PixelBand& band) {
+  gpu::CommandBuffer& commands = recorder.pass("enter");
+  if (band.firstRow == 0) recordView(commands, inputs, storage.view());
+  pass.recordEnter(commands, inputs.variant, inputs.mesh, storage, band);
+}
+
+// enter: the cells in which rays start
+void findFirstCells(gpu::Recorder& recorder, const FrameInputs& inputs, MarchPass& pass, const MarchStorage& storage,
+                    const shared::PixelBand& band) {
+  untilThrough(recorder, inputs, storage, [&] {
+    gpu::CommandBuffer& commands = recorder.pass("enter");
+    storage.recordClearUnfinished(commands);
+    pass.recordSeek(commands, inputs.variant, inputs.mesh, storage, band);
+    storage.recordReadCounts(commands, storage.hostCounts());
+  });
+}
+
+// march: from there through the cells; the counts are then on the host
+void recordWalk(gpu::CommandBuffer& commands, const FrameInputs& inputs, MarchPass& pass, const MarchStorage& storage,
+                const shared::PixelBand& band, const gpu::Buffer& hostCounts) {
+  storage.recordClearUnfinished(commands);
+  pass.recordMarch(commands, inputs, storage, band);
+  storage.recordReadCounts(commands, hostCounts);
+}
+
+// march: a band of the picture, from its colours
+void recordShow(gpu::CommandBuffer& commands, MarchPass& pass, const MarchStorage& storage,
+                const shared::PixelBand& band, const gpu::AttachmentImage& target) {
+  const bool isFirst = band.firstRow == 0;
+  if (isFirst) commands.prepareAttachment(target);
+  pass.recordShow(commands, storage, band, target, /*clear=*/isFirst);
+  commands.barrier(kVertexRead | kFragmentReadWrite | kColorWrite | kTransferRead | kTransferWrite,
+                   kTransferWrite | kComputeReadWrite | kColorWrite);
 }
 
 void findRayEnds(gpu::Recorder& recorder, const FrameInputs& inputs, const MarchStorage& storage,
@@ -190,6 +229,7 @@ OrderReport drawFrame(gpu::Recorder& recorder, const FrameInputs& inputs, FrameP
   // cull: a sort key for every cell that a pixel's ray meets
   {
     gpu::CommandBuffer& commands = recorder.pass("cull");
+    recordView(commands, inputs, storage.view);
     commands.fill(storage.counters, 0);
     commands.fill(storage.shortPixels, 0);
     commands.barrier(kTransferWrite, kComputeReadWrite);
@@ -225,33 +265,43 @@ MarchWork marchFrame(gpu::Recorder& recorder, const FrameInputs& inputs, MarchPa
   for (std::uint32_t row = 0; row < inputs.size.height;) {
     const shared::PixelBand band = storage.bandFrom(row);
 
-    // enter: the faces through which each ray comes in, and the cell in which it starts
-    pass.recordEnter(recorder.pass("enter"), inputs.variant, inputs.mesh, storage, band);
-    if (inputs.variant.nearCells)
-      untilThrough(recorder, inputs, storage, "enter", [&](gpu::CommandBuffer& commands) {
-        pass.recordSeek(commands, inputs.variant, inputs.mesh, storage, band);
-      });
+    recordEnter(recorder, inputs, pass, storage, band);
+    if (inputs.variant.nearCells) findFirstCells(recorder, inputs, pass, storage, band);
 
     // surfaces: the opaque triangles at which rays end
     if (inputs.surfaces) findRayEnds(recorder, inputs, storage, band);
 
-    // march: from there through the cells
-    const shared::MarchCounts counts =
-        untilThrough(recorder, inputs, storage, "march",
-                     [&](gpu::CommandBuffer& commands) { pass.recordMarch(commands, inputs, storage, band); });
+    // The picture is nearly always complete after the first time, so it goes with the walk.
+    const shared::MarchCounts counts = untilThrough(recorder, inputs, storage, [&] {
+      gpu::CommandBuffer& commands = recorder.pass("march");
+      recordWalk(commands, inputs, pass, storage, band, storage.hostCounts());
+      if (!inputs.surfaces) recordShow(commands, pass, storage, band, target);
+    });
     if (storage.grow(counts)) continue;
     addWork(work, counts, storage.topology().boundaryCount());
-
-    gpu::CommandBuffer& commands = recorder.pass("march");
-    if (inputs.surfaces) inputs.surfacePass->recordBehind(commands, *inputs.surfaces, storage.colors(), band);
-    if (row == 0) commands.prepareAttachment(target);
-    pass.recordShow(commands, storage, band, target, /*clear=*/row == 0);
-    commands.barrier(kVertexRead | kFragmentReadWrite | kColorWrite | kTransferRead | kTransferWrite,
-                     kTransferWrite | kComputeReadWrite | kColorWrite);
+    if (inputs.surfaces) {
+      gpu::CommandBuffer& commands = recorder.pass("march");
+      inputs.surfacePass->recordBehind(commands, *inputs.surfaces, storage.colors(), band);
+      recordShow(commands, pass, storage, band, target);
+    }
     row += band.rowCount;
   }
   recorder.sync();
   return work;
+}
+
+bool canRunAhead(const FrameInputs& inputs, MarchStorage& storage) {
+  storage.prepare(inputs.size);
+  return !inputs.variant.nearCells && !inputs.surfaces && storage.bandRows() >= inputs.size.height;
+}
+
+void recordMarchFrame(gpu::Recorder& recorder, const FrameInputs& inputs, MarchPass& pass, const MarchStorage& storage,
+                      const gpu::AttachmentImage& target, const gpu::Buffer& hostCounts) {
+  const shared::PixelBand band = storage.bandFrom(0);
+  recordEnter(recorder, inputs, pass, storage, band);
+  gpu::CommandBuffer& commands = recorder.pass("march");
+  recordWalk(commands, inputs, pass, storage, band, hostCounts);
+  recordShow(commands, pass, storage, band, target);
 }
 
 }  // namespace tetralux::render

@@ -57,6 +57,7 @@ struct FrameInputs {
   const IntegrationTables& tables;
   const FrameSetup& setup;
   FrameVariant variant;
+  const Camera& camera;
   ImageSize size;
   const AppearanceBuffer* appearance = nullptr;  // what is shown beside the volume
   // Of the march alone:
@@ -82,5 +83,13 @@ struct MarchWork {
 // The same by rays that walk from cell to cell: no cell is projected and none is sorted.
 MarchWork marchFrame(gpu::Recorder& recorder, const FrameInputs& inputs, MarchPass& pass, MarchStorage& storage,
                      const gpu::AttachmentImage& target);
+
+// Whether recordMarchFrame() can draw a frame: it is drawn in one band, without a look at the host in between.
+bool canRunAhead(const FrameInputs& inputs, MarchStorage& storage);
+
+// Records the same frame without waiting for it, in the hope that its lists fit and that one dispatch is enough.
+//   hostCounts   MarchCounts: when all has run, they tell whether that came true
+void recordMarchFrame(gpu::Recorder& recorder, const FrameInputs& inputs, MarchPass& pass, const MarchStorage& storage,
+                      const gpu::AttachmentImage& target, const gpu::Buffer& hostCounts);
 
 }  // namespace tetralux::render

@@ -55,6 +55,7 @@ MarchPass::Walk::Walk(const gpu::Context& context, const std::string& suffix)
     : enter(context, "march/enter" + suffix + ".comp"),
       seek(context, "march/seek" + suffix + ".comp"),
       march(context, "march/march" + suffix + ".comp"),
+      marchMethods(context, "march/march_methods" + suffix + ".comp"),
       marchAppearance(context, "march/march_appearance" + suffix + ".comp") {}
 
 MarchPass::Walk& MarchPass::walk(const FrameVariant& variant) { return variant.doublePrecision ? *double_ : *single_; }
@@ -65,14 +66,14 @@ void MarchPass::recordEnter(gpu::CommandBuffer& commands, const FrameVariant& va
   storage.recordClear(commands);
   commands.barrier(kTransferWrite, kComputeReadWrite | kIndirectRead);
   const BinPush binPush{mesh.addresses(), topology.boundaryAddress(), band, topology.boundaryCount(),
-                        storage.jobCapacity()};
+                        storage.room().jobs};
   commands.dispatch(bin_.get(variant.specConstants()),
                     {storage.view(), mesh.cells(), mesh.vertices(), mesh.cellScalars(), topology.boundary(),
                      storage.jobs(), storage.tileMarks(), storage.walkTiles(), storage.counts()},
                     binPush, topology.boundaryCount());
   commands.barrier(kComputeWrite, kComputeReadWrite | kIndirectRead);
   const EnterPush enterPush{mesh.addresses(), storage.vertexRestAddress(), topology.boundaryAddress(), band,
-                            storage.jobCapacity()};
+                            storage.room().jobs};
   commands.dispatchIndirect(
       walk(variant).enter.get(variant.specConstants()),
       {storage.view(), mesh.cells(), mesh.vertices(), mesh.cellScalars(), topology.boundary(), topology.across(),
@@ -121,9 +122,6 @@ void MarchPass::recordMarch(gpu::CommandBuffer& commands, const FrameInputs& inp
                             storage.ranks(),
                             storage.colors(),
                             storage.counts(),
-                            inputs.tables.numbers(),
-                            inputs.tables.table2d(),
-                            inputs.tables.table3d(),
                             appearance ? appearance->points() : transfer.points(),
                             appearance ? appearance->pointScalars() : transfer.pointScalars(),
                             storage.walkTiles(),
@@ -135,7 +133,14 @@ void MarchPass::recordMarch(gpu::CommandBuffer& commands, const FrameInputs& inp
                                        &appearance->numbers(), &appearance->colors()})
       bindings.emplace_back(*view);
   }
-  ComputeVariants& march = appearance ? walk(variant).marchAppearance : walk(variant).march;
+  const bool hasMethod = variant.integration.integration != Integration::Exact;
+  if (hasMethod) {
+    bindings.emplace_back(inputs.tables.numbers());
+    bindings.emplace_back(inputs.tables.table2d());
+    bindings.emplace_back(inputs.tables.table3d());
+  }
+  Walk& shaders = walk(variant);
+  ComputeVariants& march = appearance ? shaders.marchAppearance : hasMethod ? shaders.marchMethods : shaders.march;
   commands.dispatchIndirect(march.get(constants), bindings, push, storage.counts(), kWalkTiles);
   commands.barrier(kComputeReadWrite, kComputeReadWrite | kTransferRead | kTransferWrite | kVertexRead);
 }

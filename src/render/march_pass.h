@@ -51,6 +51,7 @@ class MarchPass {
     ComputeVariants enter;
     ComputeVariants seek;
     ComputeVariants march;
+    ComputeVariants marchMethods;     // with any method of integration
     ComputeVariants marchAppearance;  // with what is shown beside the volume
   };
 

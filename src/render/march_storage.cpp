@@ -49,15 +49,16 @@ MarchStorage::MarchStorage(const gpu::Context& context, const TetMesh& mesh, con
       restBuffer_(makeRestBuffer(context, mesh, space)),
       restView_(context, restBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT),
       view_(context, sizeof(shared::FrameView), MemoryKind::Device, "frame view"),
-      counts_(context, sizeof(MarchCounts), MemoryKind::Device, "march counts") {}
+      counts_(context, sizeof(MarchCounts), MemoryKind::Device, "march counts"),
+      hostCounts_(context, sizeof(MarchCounts), MemoryKind::Readback, "march counts on the host") {}
 
 void MarchStorage::prepare(ImageSize size) {
   if (size_.width == size.width && size_.height == size.height) return;
   size_ = size;
   bandRows_ = std::clamp(shared::MARCH_BAND_PIXELS / size.width, 1u, size.height);
   // A ray enters and leaves most meshes once.
-  nodeCapacity_ = std::clamp(2 * size.width * bandRows_, kFewestNodes, kMost);
-  jobCapacity_ = std::clamp(2 * topology_.boundaryCount(), kFewestJobs, kMost);
+  room_.nodes = std::clamp(2 * size.width * bandRows_, kFewestNodes, kMost);
+  room_.jobs = std::clamp(2 * topology_.boundaryCount(), kFewestJobs, kMost);
   allocate();
 }
 
@@ -72,18 +73,18 @@ void MarchStorage::allocate() {
   const std::uint64_t pixels = std::uint64_t{size.width} * bandRows_;
   const std::uint64_t tiles = std::uint64_t{tileCount(size.width)} * tileCount(bandRows_);
   gpu::requireMemory(context_,
-                     std::uint64_t{8} * jobCapacity_ + 12 * tiles + std::uint64_t{12} * nodeCapacity_ + 20 * pixels,
+                     std::uint64_t{8} * room_.jobs + 12 * tiles + std::uint64_t{12} * room_.nodes + 20 * pixels,
                      "the picture's lists of faces");
   const auto make = [&](std::uint64_t bytes, const char* name) {
     return gpu::Buffer(context_, bytes, MemoryKind::Device, name);
   };
-  jobs_ = make(std::uint64_t{8} * jobCapacity_, "march jobs");
+  jobs_ = make(std::uint64_t{8} * room_.jobs, "march jobs");
   tileMarks_ = make(4 * tiles, "march tile marks");
   walkTiles_ = make(4 * tiles, "march tiles");
   sortTiles_ = make(4 * tiles, "march tiles to sort");
   heads_ = make(4 * pixels, "march heads");
-  links_ = make(std::uint64_t{4} * nodeCapacity_, "march links");
-  ranks_ = make(std::uint64_t{8} * nodeCapacity_, "march ranks");
+  links_ = make(std::uint64_t{4} * room_.nodes, "march links");
+  ranks_ = make(std::uint64_t{8} * room_.nodes, "march ranks");
   colors_ = make(16 * pixels, "march colors");
   jobsView_ = gpu::TexelView(context_, jobs_, VK_FORMAT_R32G32_UINT);
   colorsView_ = gpu::TexelView(context_, colors_, VK_FORMAT_R32G32B32A32_SFLOAT);
@@ -91,7 +92,7 @@ void MarchStorage::allocate() {
 }
 
 shared::PixelBand MarchStorage::bandFrom(std::uint32_t firstRow) const {
-  return {size_.width, firstRow, std::min(bandRows_, size_.height - firstRow), 0, nodeCapacity_};
+  return {size_.width, firstRow, std::min(bandRows_, size_.height - firstRow), 0, room_.nodes};
 }
 
 std::uint64_t MarchStorage::bandPixels() const { return std::uint64_t{size_.width} * bandRows_; }
@@ -111,20 +112,27 @@ void MarchStorage::recordClear(gpu::CommandBuffer& commands) const {
 
 void MarchStorage::recordClearUnfinished(gpu::CommandBuffer& commands) const {
   commands.fill(counts_, 0, offsetof(MarchCounts, unfinished), sizeof(std::uint32_t));
+  commands.barrier(gpu::access::kTransferWrite, gpu::access::kComputeReadWrite | gpu::access::kIndirectRead);
+}
+
+void MarchStorage::recordReadCounts(gpu::CommandBuffer& commands, const gpu::Buffer& hostCounts) const {
+  commands.copy(counts_, 0, hostCounts, 0, sizeof(MarchCounts));
+  commands.barrier(gpu::access::kTransferWrite, gpu::access::kHostRead);
 }
 
 bool MarchStorage::grow(const MarchCounts& counts) {
-  if (counts.jobs <= jobCapacity_ && counts.nodes <= nodeCapacity_) return false;
+  if (room_.holds(counts)) return false;
   const bool isLastResort = bandRows_ == 1;
-  jobCapacity_ = enlarged(jobCapacity_, counts.jobs, isLastResort);
-  nodeCapacity_ = enlarged(nodeCapacity_, counts.nodes, isLastResort);
-  if (counts.jobs > jobCapacity_ || counts.nodes > nodeCapacity_) bandRows_ = std::max(1u, bandRows_ / 2);
+  room_.jobs = enlarged(room_.jobs, counts.jobs, isLastResort);
+  room_.nodes = enlarged(room_.nodes, counts.nodes, isLastResort);
+  if (!room_.holds(counts)) bandRows_ = std::max(1u, bandRows_ / 2);
   allocate();
   return true;
 }
 
 std::uint64_t MarchStorage::sizeBytes() const {
-  std::uint64_t bytes = topology_.sizeBytes() + restBuffer_.sizeBytes() + view_.sizeBytes() + counts_.sizeBytes();
+  std::uint64_t bytes = topology_.sizeBytes() + restBuffer_.sizeBytes() + view_.sizeBytes() + counts_.sizeBytes() +
+                        hostCounts_.sizeBytes();
   for (const gpu::Buffer* buffer : {&jobs_, &tileMarks_, &walkTiles_, &sortTiles_, &heads_, &links_, &ranks_, &colors_})
     bytes += buffer->sizeBytes();
   return bytes;

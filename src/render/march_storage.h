@@ -13,6 +13,14 @@
 
 namespace tetralux::render {
 
+// How much of a band's work a storage can list.
+struct MarchRoom {
+  std::uint32_t jobs = 0;
+  std::uint32_t nodes = 0;
+
+  bool holds(const shared::MarchCounts& counts) const { return counts.jobs <= jobs && counts.nodes <= nodes; }
+};
+
 // Pictures are drawn in bands of rows. Jobs and lists start with room for what most pictures need and grow when a band
 // ran out of it: up to a limit by larger buffers, beyond by narrower bands.
 class MarchStorage {
@@ -28,22 +36,25 @@ class MarchStorage {
 
   // Records that a band has no jobs, lists, tiles and colours yet. Transfer writes: barriers are owed.
   void recordClear(gpu::CommandBuffer& commands) const;
-  // The same for the number of rays that are not through.
+  // The same for the number of rays that are not through, with the barrier.
   void recordClearUnfinished(gpu::CommandBuffer& commands) const;
+  // Copies counts() to the host.
+  void recordReadCounts(gpu::CommandBuffer& commands, const gpu::Buffer& hostCounts) const;
 
   // After the work is done: whether the band had more to store than there was room for. If so there is room for more
   // now, and the band (which may be another) has to be done again. Throws Error(Device) when there is no memory.
   bool grow(const shared::MarchCounts& counts);
+  const MarchRoom& room() const { return room_; }
 
   const WalkTopology& topology() const { return topology_; }
   // What single precision leaves of the vertices' positions, vec4 each; one of zeros where the device has no double
   // precision.
   const gpu::TexelView& vertexRests() const { return restView_; }
   VkDeviceAddress vertexRestAddress() const { return restBuffer_.address(); }
-  const gpu::Buffer& view() const { return view_; }      // FrameView
-  const gpu::Buffer& counts() const { return counts_; }  // MarchCounts
-  std::uint32_t jobCapacity() const { return jobCapacity_; }
-  const gpu::Buffer& jobs() const { return jobs_; }  // uvec2
+  const gpu::Buffer& view() const { return view_; }              // FrameView
+  const gpu::Buffer& counts() const { return counts_; }          // MarchCounts
+  const gpu::Buffer& hostCounts() const { return hostCounts_; }  // the same where the host can read them
+  const gpu::Buffer& jobs() const { return jobs_; }              // uvec2
   const gpu::TexelView& jobsView() const { return jobsView_; }
   const gpu::Buffer& tileMarks() const { return tileMarks_; }  // uint per tile
   const gpu::Buffer& walkTiles() const { return walkTiles_; }  // uint: tiles with jobs
@@ -54,6 +65,8 @@ class MarchStorage {
   const gpu::Buffer& colors() const { return colors_; }  // vec4 per pixel of a band
   const gpu::TexelView& colorsView() const { return colorsView_; }
 
+  // Rows of a picture of that size that are drawn at a time.
+  std::uint32_t bandRows() const { return bandRows_; }
   // Pixels, and tiles of MARCH_TILE squared, of the largest band.
   std::uint64_t bandPixels() const;
   std::uint64_t bandTiles() const;
@@ -69,10 +82,10 @@ class MarchStorage {
   gpu::TexelView restView_;
   gpu::Buffer view_;
   gpu::Buffer counts_;
+  gpu::Buffer hostCounts_;
   ImageSize size_{0, 0};  // of the picture that there is room for
   std::uint32_t bandRows_ = 0;
-  std::uint32_t jobCapacity_ = 0;
-  std::uint32_t nodeCapacity_ = 0;
+  MarchRoom room_;
   gpu::Buffer jobs_;
   gpu::Buffer tileMarks_;
   gpu::Buffer walkTiles_;

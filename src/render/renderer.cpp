@@ -33,11 +33,6 @@ SortVariant sortVariant(const gpu::Context& context, const RendererOptions& opti
   return options.sortVariant.value_or(bestSortVariant(context.info()));
 }
 
-ProjectionChoice projectionFor(const RendererOptions& options) {
-  if (options.projection != CellProjection::Auto) return {options.projection, "asked for", 0.0};
-  return chooseProjection(options.order == Order::Auto && options.mayWalk);
-}
-
 // The context, once it is known that the mesh may fit. Throws Error(Device) otherwise.
 const gpu::Context& withRoomFor(const gpu::Context& context, const TetMesh& mesh, const ScalarField& field,
                                 CellProjection projection) {
@@ -50,8 +45,13 @@ const gpu::Context& withRoomFor(const gpu::Context& context, const TetMesh& mesh
 
 }  // namespace
 
+ProjectionChoice projectionFor(const RendererOptions& options) {
+  if (options.projection != CellProjection::Auto) return {options.projection, "asked for", 0.0};
+  return chooseProjection(options.order == Order::Auto && options.mayWalk);
+}
+
 Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const ScalarField& field,
-                   const RendererOptions& options)
+                   const RendererOptions& options, std::unique_ptr<MarchPass> warmed)
     : context_(withRoomFor(context, mesh, field, projectionFor(options).projection)),
       mesh_(context, mesh, field),
       wideAddressing_(options.forceWideAddressing || needsWideAddressing(context.info(), mesh_)),
@@ -63,7 +63,7 @@ Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const Scala
       projection_(projectionFor(options)),
       target_(context) {
   if (projection() == CellProjection::March) {
-    marchPass_ = std::make_unique<MarchPass>(context);
+    marchPass_ = warmed ? std::move(warmed) : std::make_unique<MarchPass>(context);
     Adjacency adjacency = makeAdjacency(mesh);
     cutFolds(mesh, adjacency);
     noteAdjacency(adjacency);
@@ -88,12 +88,18 @@ void Renderer::noteAdjacency(const Adjacency& adjacency) {
   if (3 * adjacency.boundary.size() > context_.info().largestTexelBuffer) wideAddressing_ = true;
 }
 
+Renderer::~Renderer() {
+  if (!flights_.empty()) gpu::waitUntilIdle(context_);
+}
+
 void Renderer::setTransferFunction(const TransferFunction& transfer) {
+  landFlights();
   transferFunction_ = transfer;
   prepareTransfer();
 }
 
 void Renderer::setAppearance(const Appearance& appearance, const AppearanceData& data) {
+  landFlights();
   appearance_.reset();
   surfaces_.reset();
   isTransferReplaced_ = appearance.replacesTransferFunction();
@@ -120,7 +126,8 @@ double Renderer::largestExtinction() const {
 
 void Renderer::prepareTransfer() {
   const TransferFunction transfer = isTransferReplaced_ ? TransferFunction() : transferFunction_;
-  transfer_ = std::make_unique<TransferBuffer>(context_, transfer, mesh_.space());
+  if (!transfer_) transfer_ = std::make_unique<TransferBuffer>(context_);
+  transfer_->set(transfer, mesh_.space());
   if (appearance_) appearance_->setTransfer(*transfer_);
   choice_.reset();
   plan_.reset();
@@ -166,6 +173,7 @@ void Renderer::prepareTables(Integration integration, const TableOptions& option
   if (!tables_) tables_ = std::make_unique<IntegrationTables>(context_);
   const std::pair wanted{integration, options};
   if (built_ == wanted) return;
+  landFlights();
   built_.reset();
   if (tableDimensions(integration) > 0 && integration != Integration::Ppi && !lengths_)
     lengths_ = measureCellLengths(context_, mesh_, wideAddressing_);
@@ -173,14 +181,12 @@ void Renderer::prepareTables(Integration integration, const TableOptions& option
   built_ = wanted;
 }
 
-Renderer::Drawn Renderer::drawInto(gpu::Recorder& recorder, const Camera& camera, ImageSize size,
-                                   const IntegrationVariant& integration, std::uint32_t output,
-                                   const FrameTarget& target, bool checkOrder, bool countWork) {
-  const FrameSetup setup =
-      makeFrameSetup(camera, size, mesh_.space(), mesh_.cellCount(),
-                     appearance_ ? appearance_->supportCount() : transfer_->supportCount(), kCentroidKeyBits);
-  gpu::upload(context_, marchPass_ ? marchStorage_->view() : storage_->view, &setup.view, sizeof setup.view);
+FrameSetup Renderer::setupOf(const Request& request) const {
+  return makeFrameSetup(request.camera, request.size, mesh_.space(), mesh_.cellCount(),
+                        appearance_ ? appearance_->supportCount() : transfer_->supportCount(), kCentroidKeyBits);
+}
 
+FrameInputs Renderer::inputsOf(const Request& request, const FrameSetup& setup) const {
   FrameVariant variant;
   variant.perspective = setup.perspective;
   variant.cellField = mesh_.isCellField();
@@ -191,20 +197,25 @@ Renderer::Drawn Renderer::drawInto(gpu::Recorder& recorder, const Camera& camera
   variant.subpixels = subpixels_;
   variant.emissionPerLength = transfer_->emission() == Emission::PerLength;
   variant.doublePrecision = usesDoublePrecision(setup);
-  variant.countWork = countWork;
-  variant.integration = integration;
-  variant.output = output;
-  if (appearance_) appearance_->setCamera(camera);
-  const FrameInputs inputs{context_,  mesh_, *transfer_,        *tables_,           setup,
-                           variant,   size,  appearance_.get(), surfacePass_.get(), surfaces_.get(),
-                           checkOrder};
-  Drawn drawn{{}, {}, variant.doublePrecision, setup.smallestPixel};
-  if (marchPass_) {
+  variant.countWork = request.options.countWork;
+  variant.integration = request.integration;
+  variant.output = request.output;
+  return {context_,       mesh_,        *transfer_,        *tables_,           setup,           variant,
+          request.camera, request.size, appearance_.get(), surfacePass_.get(), surfaces_.get(), request.checkOrder};
+}
+
+FrameTarget Renderer::targetOf(const Request& request) const {
+  return {target_.picture(), target_.chunk(), chunkCellCount(request.options.chunkCells, mesh_.cellCount())};
+}
+
+Renderer::Drawn Renderer::drawInto(gpu::Recorder& recorder, const Request& request, const FrameTarget& target) {
+  const FrameSetup setup = setupOf(request);
+  const FrameInputs inputs = inputsOf(request, setup);
+  Drawn drawn{{}, {}, inputs.variant.doublePrecision, setup.smallestPixel};
+  if (marchPass_)
     drawn.march = marchFrame(recorder, inputs, *marchPass_, *marchStorage_, target.picture);
-    drawn.order.order = Order::Exact;
-  } else {
+  else
     drawn.order = drawFrame(recorder, inputs, *passes_, *order_, *storage_, target);
-  }
   return drawn;
 }
 
@@ -214,59 +225,65 @@ bool Renderer::usesDoublePrecision(const FrameSetup& setup) const {
                                    isTooFineForSingle(setup.smallestPixel));
 }
 
-Target Renderer::chooseTarget(const Camera& camera, ImageSize size, const IntegrationVariant& integration,
-                              gpu::PassTiming timing, FrameStats& stats) {
-  if (choice_ && choice_->camera == camera && choice_->size == size && choice_->integration == integration)
+Target Renderer::chooseTarget(const Request& request, FrameStats& stats) {
+  if (choice_ && choice_->camera == request.camera && choice_->size == request.size &&
+      choice_->integration == request.integration)
     return choice_->target;
   // Nothing is blended: rays gather light in registers, and a pixel is rounded once.
   const double limit = tolerance_ ? kRoundingShare * *tolerance_ : kHalfFloatLimit;
   if (marchPass_) return halfFloatHolds(1.0, /*roundsToNearest=*/true, limit) ? Target::Rgba16f : Target::Rgba32f;
   if (!roundsToNearest_) roundsToNearest_ = halfBlendingRoundsToNearest(context_);
   const auto part = [](std::uint32_t side) { return (side + kMeasureStep - 1) / kMeasureStep; };
-  const ImageSize smaller{part(size.width), part(size.height)};
+  Request smaller = request;
+  smaller.size = {part(request.size.width), part(request.size.height)};
+  smaller.output = *roundsToNearest_ ? shared::OUTPUT_ROUNDINGS : shared::OUTPUT_TRUNCATIONS;
+  smaller.checkOrder = false;
+  smaller.options.countWork = false;
   TargetImages images(context_);
-  images.prepare(smaller, Target::Rgba32f);
-  gpu::Recorder recorder(context_, timing);
-  drawInto(recorder, camera, smaller, integration,
-           *roundsToNearest_ ? shared::OUTPUT_ROUNDINGS : shared::OUTPUT_TRUNCATIONS, {images.picture()},
-           /*checkOrder=*/false, /*countWork=*/false);
+  images.prepare(smaller.size, Target::Rgba32f);
+  gpu::Recorder recorder(context_, request.timing);
+  drawInto(recorder, smaller, {images.picture()});
   double worst = 0.0;
   for (const glm::vec4& pixel : images.read().pixels) worst = std::max(worst, static_cast<double>(pixel.x));
-  choice_ = {camera, size, integration,
+  choice_ = {request.camera, request.size, request.integration,
              halfFloatHolds(worst, *roundsToNearest_, limit) ? Target::Rgba16f : Target::Rgba32f};
   stats.frameMs += recorder.totalMs();
-  if (timing != gpu::PassTiming::Off) stats.passes.push_back({"measure", recorder.totalMs()});
+  if (request.timing != gpu::PassTiming::Off) stats.passes.push_back({"measure", recorder.totalMs()});
   return choice_->target;
 }
 
-FrameStats Renderer::draw(const Camera& camera, ImageSize size, const RenderOptions& options) {
+Renderer::Request Renderer::prepare(const Camera& camera, ImageSize size, const RenderOptions& options,
+                                    FrameStats& stats) {
   CHECK(transfer_ != nullptr);
-  const gpu::PassTiming timing = options.timed ? gpu::bestTiming(context_.info()) : gpu::PassTiming::Off;
-  FrameStats stats;
-  stats.projection = projection();
   checkMethod(options);
   preparePlan();
-  IntegrationVariant integration{options.integration, options.interpolation};
+  Request request{camera, size, options};
+  request.timing = options.timed ? gpu::bestTiming(context_.info()) : gpu::PassTiming::Off;
+  request.integration = {options.integration, options.interpolation};
+  request.checkOrder = checkOrder_;
   if (plan_) {
-    integration.integration = plan_->integration;
-    integration.accuracy = plan_->accuracy;
-    integration.leastTransmittance = plan_->leastTransmittance;
+    request.integration.integration = plan_->integration;
+    request.integration.accuracy = plan_->accuracy;
+    request.integration.leastTransmittance = plan_->leastTransmittance;
     stats.plan = plan_;
   }
-  prepareTables(integration.integration, options.table);
-  integration.tableFetch = tables_->needsFetch();
-  stats.target =
-      options.target == Target::Auto ? chooseTarget(camera, size, integration, timing, stats) : options.target;
-  target_.prepare(size, stats.target);
-  const FrameTarget target{target_.picture(), target_.chunk(), chunkCellCount(options.chunkCells, mesh_.cellCount())};
-  const std::uint32_t output = options.constantColor                 ? shared::OUTPUT_CONSTANT
-                               : stats.target == Target::Rgba8Dither ? shared::OUTPUT_DITHERED
-                                                                     : shared::OUTPUT_COLOR;
-  gpu::Recorder recorder(context_, timing);
-  const Drawn drawn = drawInto(recorder, camera, size, integration, output, target, checkOrder_, options.countWork);
-  stats.order = drawn.order;
-  if (marchPass_ && options.countWork) stats.march = drawn.march;
+  prepareTables(request.integration.integration, options.table);
+  request.integration.tableFetch = tables_->needsFetch();
+  stats.projection = projection();
+  stats.target = options.target == Target::Auto ? chooseTarget(request, stats) : options.target;
+  request.output = options.constantColor                 ? shared::OUTPUT_CONSTANT
+                   : stats.target == Target::Rgba8Dither ? shared::OUTPUT_DITHERED
+                                                         : shared::OUTPUT_COLOR;
+  stats.integration = request.integration.integration;
+  stats.interpolation = options.interpolation;
+  stats.tableBuild = tables_->tableBuild();
+  stats.tablesMs = tables_->buildMs();
+  return request;
+}
 
+void Renderer::noteDrawn(FrameStats& stats, const Drawn& drawn) const {
+  stats.order = drawn.order;
+  if (marchPass_) stats.order.order = Order::Exact;
   stats.doublePrecision = drawn.doublePrecision;
   if (stats.plan && marchPass_)
     stats.plan->decisions.push_back(
@@ -276,6 +293,21 @@ FrameStats Renderer::draw(const Camera& camera, ImageSize size, const RenderOpti
              "pixels are at least {:.2g} wide",
              kCrossingRounding, largestExtinction(), drawn.smallestPixel),
          kCrossingRounding * largestExtinction()});
+}
+
+FrameStats Renderer::draw(const Camera& camera, ImageSize size, const RenderOptions& options) {
+  CHECK(flights_.empty());
+  FrameStats stats;
+  const Request request = prepare(camera, size, options, stats);
+  return draw(request, std::move(stats));
+}
+
+FrameStats Renderer::draw(const Request& request, FrameStats stats) {
+  target_.prepare(request.size, stats.target);
+  gpu::Recorder recorder(context_, request.timing);
+  const Drawn drawn = drawInto(recorder, request, targetOf(request));
+  noteDrawn(stats, drawn);
+  if (marchPass_ && request.options.countWork) stats.march = drawn.march;
   shared::FrameCounters counters{};
   if (storage_) gpu::download(context_, storage_->counters, &counters, sizeof counters);
   stats.drawnCells = counters.drawn;
@@ -290,15 +322,72 @@ FrameStats Renderer::draw(const Camera& camera, ImageSize size, const RenderOpti
   stats.culledTransparent = counters.transparent;
   stats.passes.insert(stats.passes.end(), recorder.passTimes().begin(), recorder.passTimes().end());
   stats.frameMs += recorder.totalMs();
-  stats.integration = integration.integration;
-  stats.interpolation = options.interpolation;
-  stats.tableBuild = tables_->tableBuild();
-  stats.tablesMs = tables_->buildMs();
   return stats;
 }
 
 Image Renderer::readImage(FrameStats* stats) { return target_.read(stats ? &stats->readbackMs : nullptr); }
 
+void Renderer::begin(const Camera& camera, ImageSize size, const RenderOptions& options) {
+  auto flight = spare_ ? std::move(spare_) : std::make_unique<Flight>();
+  flight->stats = {};
+  flight->request = prepare(camera, size, options, flight->stats);
+  const FrameSetup setup = setupOf(flight->request);
+  const FrameInputs inputs = inputsOf(flight->request, setup);
+  // Other pictures take the place of those that are being drawn.
+  if (!target_.holds(size, flight->stats.target)) landFlights();
+  if (!marchPass_ || flight->request.timing != gpu::PassTiming::Off || !canRunAhead(inputs, *marchStorage_)) {
+    landFlights();
+    flight->stats = draw(flight->request, std::move(flight->stats));
+    flight->image = readImage(&flight->stats);
+    flights_.push_back(std::move(flight));
+    return;
+  }
+  target_.prepare(size, flight->stats.target);
+  if (flight->hostCounts.sizeBytes() == 0)
+    flight->hostCounts =
+        gpu::Buffer(context_, sizeof(shared::MarchCounts), gpu::MemoryKind::Readback, "march counts in flight");
+  if (flight->readback.sizeBytes() != target_.pictureBytes()) {
+    flight->readback = {};
+    flight->readback = gpu::Buffer(context_, target_.pictureBytes(), gpu::MemoryKind::Readback, "picture in flight");
+  }
+  flight->room = marchStorage_->room();
+  flight->recorder = std::make_unique<gpu::Recorder>(context_, gpu::PassTiming::Off);
+  recordMarchFrame(*flight->recorder, inputs, *marchPass_, *marchStorage_, target_.picture(), flight->hostCounts);
+  target_.recordRead(flight->recorder->pass("readback"), flight->readback);
+  noteDrawn(flight->stats, {{}, {}, inputs.variant.doublePrecision, setup.smallestPixel});
+  flight->recorder->submit();
+  flights_.push_back(std::move(flight));
+}
+
+void Renderer::land(Flight& flight) {
+  if (!flight.recorder) return;
+  flight.recorder->wait();
+  flight.stats.frameMs += flight.recorder->totalMs();
+  flight.recorder.reset();
+  const shared::MarchCounts& counts = flight.hostCounts.as<shared::MarchCounts>()[0];
+  if (counts.unfinished == 0 && flight.room.holds(counts)) {
+    flight.image = target_.unpack(flight.readback);
+    return;
+  }
+  // More room is needed than those behind it have, or another dispatch.
+  gpu::waitUntilIdle(context_);
+  FrameStats stats;
+  flight.request = prepare(flight.request.camera, flight.request.size, flight.request.options, stats);
+  flight.stats = draw(flight.request, std::move(stats));
+  flight.image = readImage(&flight.stats);
+}
+
+void Renderer::landFlights() {
+  for (const std::unique_ptr<Flight>& flight : flights_) land(*flight);
+}
+
+Renderer::Finished Renderer::finish() {
+  CHECK(!flights_.empty());
+  land(*flights_.front());
+  spare_ = std::move(flights_.front());
+  flights_.pop_front();
+  return {std::move(spare_->stats), std::move(spare_->image)};
+}
 MemoryUse Renderer::memoryUse() const {
   MemoryUse use;
   use.meshBytes = mesh_.sizeBytes();

@@ -1,7 +1,7 @@
 // The public face: a mesh on a device, then pictures of it.
 #pragma once
 
-#include <map>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -54,6 +54,9 @@ struct RendererOptions {
   bool checkOrder = false;  // count what the order gets wrong, every frame (costs about as much as the cull pass)
 };
 
+// What CellProjection::Auto becomes, and why.
+ProjectionChoice projectionFor(const RendererOptions& options);
+
 struct FrameStats {
   std::uint64_t drawnCells = 0;
   std::uint64_t triangles = 0;  // with an area; of CellProjection::Gator all four of every cell
@@ -101,8 +104,12 @@ class Renderer {
   // Copies the mesh to the device; it need not outlive the call. Throws Error(Device), before anything is allocated
   // where the device has too little memory left for the mesh.
   //   context   must outlive the renderer
+  //   warmed    passes of a renderer with the same options (takeMarchPass()), or null
   Renderer(const gpu::Context& context, const TetMesh& mesh, const ScalarField& field,
-           const RendererOptions& options = {});
+           const RendererOptions& options = {}, std::unique_ptr<MarchPass> warmed = nullptr);
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
 
   // Colours and extinctions from now on. Cost does not depend on the mesh.
   void setTransferFunction(const TransferFunction& transfer);
@@ -121,6 +128,23 @@ class Renderer {
   // The last frame drawn. Sets `readbackMs` of its statistics, if given.
   Image readImage(FrameStats* stats = nullptr);
 
+  // draw() and readImage() in two steps, for sequences: begin() hands a frame and the copy of its picture to the device
+  // and does not wait, finish() waits for the oldest frame begun. So the device draws the next frame while the host
+  // uses the last. Frames that need a look at the host in between, and timed ones, are drawn by begin() at once.
+  // draw() must not be called while frames are in flight. Both throw like draw().
+  void begin(const Camera& camera, ImageSize size, const RenderOptions& options = {});
+  struct Finished {
+    FrameStats stats;
+    Image image;
+  };
+  Finished finish();
+  // Frames begun and not finished. Each holds a picture on the host beside its own.
+  size_t inFlight() const { return flights_.size(); }
+
+  // The passes with all pipelines made so far, for another renderer on the same context; null where rays do not walk.
+  // Nothing can be drawn after.
+  std::unique_ptr<MarchPass> takeMarchPass() { return std::move(marchPass_); }
+
   MemoryUse memoryUse() const;
   const MeshSpace& space() const { return mesh_.space(); }
   std::uint64_t cellCount() const { return mesh_.cellCount(); }
@@ -128,6 +152,34 @@ class Renderer {
   CellProjection projection() const { return projection_.projection; }
 
  private:
+  // A frame as it is going to be drawn.
+  struct Request {
+    Camera camera;
+    ImageSize size;
+    RenderOptions options;
+    gpu::PassTiming timing = gpu::PassTiming::Off;
+    IntegrationVariant integration;
+    std::uint32_t output = 0;  // shared/target_output.h
+    bool checkOrder = false;
+  };
+  // A frame in flight.
+  struct Flight {
+    Request request;
+    FrameStats stats;
+    // Runs the frame, with copies of counts and picture. Null where it was drawn at once: `image` is it.
+    std::unique_ptr<gpu::Recorder> recorder;
+    MarchRoom room;          // that its lists have
+    gpu::Buffer hostCounts;  // MarchCounts
+    gpu::Buffer readback;    // the picture
+    Image image;
+  };
+
+  // Settles what a frame is drawn with and into; draws a small one where Target::Auto has to be measured.
+  Request prepare(const Camera& camera, ImageSize size, const RenderOptions& options, FrameStats& stats);
+  FrameStats draw(const Request& request, FrameStats stats);
+  // Waits for a frame in flight and takes its picture; draws it again where it did not get through.
+  void land(Flight& flight);
+  void landFlights();
   void prepareTransfer();
   double largestExtinction() const;  // 1/mesh unit
   // What depends on the mesh's adjacency beside its copy on the device.
@@ -145,12 +197,15 @@ class Renderer {
     bool doublePrecision = false;
     double smallestPixel = 0.0;  // FrameSetup
   };
-  Drawn drawInto(gpu::Recorder& recorder, const Camera& camera, ImageSize size, const IntegrationVariant& integration,
-                 std::uint32_t output, const FrameTarget& target, bool checkOrder, bool countWork);
+  void noteDrawn(FrameStats& stats, const Drawn& drawn) const;
+  FrameSetup setupOf(const Request& request) const;
+  //   setup   must outlive the inputs
+  FrameInputs inputsOf(const Request& request, const FrameSetup& setup) const;
+  Drawn drawInto(gpu::Recorder& recorder, const Request& request, const FrameTarget& target);
+  FrameTarget targetOf(const Request& request) const;
   // Target::Auto: draws a small frame that counts roundings and applies halfFloatHolds() to the worst of its pixels.
   // Adds what it took to the statistics, as pass "measure".
-  Target chooseTarget(const Camera& camera, ImageSize size, const IntegrationVariant& integration,
-                      gpu::PassTiming timing, FrameStats& stats);
+  Target chooseTarget(const Request& request, FrameStats& stats);
 
   const gpu::Context& context_;
   GpuMesh mesh_;
@@ -182,6 +237,8 @@ class Renderer {
   std::optional<std::pair<Integration, TableOptions>> built_;  // what they hold for transfer_
   std::optional<CellLengths> lengths_;
   TargetImages target_;
+  std::deque<std::unique_ptr<Flight>> flights_;  // the oldest first
+  std::unique_ptr<Flight> spare_;                // one that is over, for its buffers
 
   // What Target::Auto became, and for which frame; forgotten with the transfer function.
   struct TargetChoice {

@@ -4,6 +4,11 @@
 
 namespace tetralux::render {
 
+bool TargetImages::holds(ImageSize size, Target target) const {
+  return picture_ && picture_->width() == size.width && picture_->height() == size.height &&
+         picture_->format() == pictureFormat(target) && (chunk_ != nullptr) == (target == Target::Rgba16fChunked);
+}
+
 void TargetImages::prepare(ImageSize size, Target target) {
   const VkFormat format = pictureFormat(target);
   const auto fits = [&](const gpu::AttachmentImage& image) {
@@ -24,20 +29,40 @@ void TargetImages::prepare(ImageSize size, Target target) {
 
 Image TargetImages::read(double* milliseconds) {
   CHECK(picture_ != nullptr);
-  Image image(picture_->width(), picture_->height());
-  const std::uint32_t pixelBytes = bytesPerPixel(picture_->format());
   if (!readback_)
-    readback_ = std::make_unique<gpu::Buffer>(context_, image.pixels.size() * pixelBytes, gpu::MemoryKind::Readback,
-                                              "readback");
+    readback_ = std::make_unique<gpu::Buffer>(context_, pictureBytes(), gpu::MemoryKind::Readback, "readback");
   gpu::CommandBuffer commands(context_);
-  commands.copyToBuffer(*picture_, *readback_);
-  commands.barrier(gpu::access::kTransferWrite, gpu::access::kHostRead);
+  recordRead(commands, *readback_);
   const double copyMs = commands.submitAndWait();
   if (milliseconds) *milliseconds = copyMs;
-  const auto bytes = readback_->as<std::byte>();
-  for (size_t i = 0; i < image.pixels.size(); i++)
-    image.pixels[i] = unpackPixel(picture_->format(), bytes.data() + i * pixelBytes);
+  return unpack(*readback_);
+}
+
+void TargetImages::recordRead(gpu::CommandBuffer& commands, const gpu::Buffer& readback) const {
+  commands.copyToBuffer(*picture_, readback);
+  commands.barrier(gpu::access::kTransferWrite, gpu::access::kHostRead);
+}
+
+Image TargetImages::unpack(const gpu::Buffer& readback) const {
+  const VkFormat format = picture_->format();
+  if (format == VK_FORMAT_R32G32B32A32_SFLOAT) {
+    // Copied into memory that nobody has filled with zeros before: a large picture's is touched for the first time.
+    Image image;
+    image.width = picture_->width();
+    image.height = picture_->height();
+    const auto pixels = readback.as<glm::vec4>().first(std::size_t{image.width} * image.height);
+    image.pixels.assign(pixels.begin(), pixels.end());
+    return image;
+  }
+  Image image(picture_->width(), picture_->height());
+  const auto bytes = readback.as<std::byte>();
+  const std::uint32_t pixelBytes = bytesPerPixel(format);
+  for (size_t i = 0; i < image.pixels.size(); i++) image.pixels[i] = unpackPixel(format, bytes.data() + i * pixelBytes);
   return image;
+}
+
+std::uint64_t TargetImages::pictureBytes() const {
+  return std::uint64_t{picture_->width()} * picture_->height() * bytesPerPixel(picture_->format());
 }
 
 std::uint64_t TargetImages::sizeBytes() const {

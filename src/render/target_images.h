@@ -25,6 +25,9 @@ class TargetImages {
   // Throws Error(Device) when the sides are beyond the device's limit or memory is short.
   void prepare(ImageSize size, Target target);
 
+  // Whether prepare() would change nothing.
+  bool holds(ImageSize size, Target target) const;
+
   // What prepare() made.
   const gpu::AttachmentImage& picture() const { return *picture_; }
   const gpu::AttachmentImage* chunk() const { return chunk_.get(); }
@@ -32,6 +35,12 @@ class TargetImages {
 
   // The picture on the host. Sets `milliseconds`, if given, to what the copy took.
   Image read(double* milliseconds = nullptr);
+
+  // The same in two steps. Records a copy of the picture to a buffer of pictureBytes() that the host can read.
+  void recordRead(gpu::CommandBuffer& commands, const gpu::Buffer& readback) const;
+  // After that has run, and while prepare() has made no other kind of picture.
+  Image unpack(const gpu::Buffer& readback) const;
+  std::uint64_t pictureBytes() const;
 
   std::uint64_t sizeBytes() const;
 

@@ -1,6 +1,7 @@
 #include "render/transfer_buffer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -145,33 +146,24 @@ TransferTables makeTransferTables(const TransferFunction& transfer, const MeshSp
   return tables;
 }
 
-TransferBuffer::TransferBuffer(const gpu::Context& context, const TransferFunction& transfer, const MeshSpace& space)
-    : TransferBuffer(context, makeTransferTables(transfer, space), transfer.emission()) {}
-
-TransferBuffer::TransferBuffer(const gpu::Context& context, const TransferTables& tables, Emission emission)
-    : emission_(emission),
-      largest_(*std::max_element(tables.largestExtinction.begin(), tables.largestExtinction.end())),
-      supportCount_(static_cast<std::uint32_t>(tables.support.size())),
-      pieceTexels_(tables.pieces),
-      pointTexels_(tables.points),
-      pointScalarTexels_(tables.pointScalars),
-      support_(tables.support),
-      pieceBuffer_(gpu::makeBuffer(context, tables.pieces, "transfer pieces")),
-      binBuffer_(gpu::makeBuffer(context, tables.pieceBins, "transfer piece bins")),
-      pointBuffer_(gpu::makeBuffer(context, tables.points, "transfer points")),
-      pointScalarBuffer_(gpu::makeBuffer(context, tables.pointScalars, "transfer point scalars")),
-      extinctionBuffer_(gpu::makeBuffer(context, tables.largestExtinction, "largest extinctions")),
-      supportBuffer_(gpu::makeBuffer(context, atLeastOne(tables.support), "transfer support")),
-      pieceView_(context, pieceBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT),
-      binView_(context, binBuffer_, VK_FORMAT_R32_UINT),
-      pointView_(context, pointBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT),
-      pointScalarView_(context, pointScalarBuffer_, VK_FORMAT_R32G32_SFLOAT),
-      extinctionView_(context, extinctionBuffer_, VK_FORMAT_R32_SFLOAT),
-      supportView_(context, supportBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT) {}
-
-std::uint64_t TransferBuffer::sizeBytes() const {
-  return pieceBuffer_.sizeBytes() + binBuffer_.sizeBytes() + pointBuffer_.sizeBytes() + pointScalarBuffer_.sizeBytes() +
-         extinctionBuffer_.sizeBytes() + supportBuffer_.sizeBytes();
+void TransferBuffer::set(const TransferFunction& transfer, const MeshSpace& space) {
+  const TransferTables made = makeTransferTables(transfer, space);
+  emission_ = transfer.emission();
+  largest_ = *std::max_element(made.largestExtinction.begin(), made.largestExtinction.end());
+  supportCount_ = static_cast<std::uint32_t>(made.support.size());
+  pieceTexels_ = made.pieces;
+  pointTexels_ = made.points;
+  pointScalarTexels_ = made.pointScalars;
+  support_ = made.support;
+  const std::vector<glm::vec4> support = atLeastOne(made.support);
+  const std::array<gpu::TableView, 6> views = {
+      {{&pieceView_, VK_FORMAT_R32G32B32A32_SFLOAT, gpu::bytesOf(made.pieces)},
+       {&binView_, VK_FORMAT_R32_UINT, gpu::bytesOf(made.pieceBins)},
+       {&pointView_, VK_FORMAT_R32G32B32A32_SFLOAT, gpu::bytesOf(made.points)},
+       {&pointScalarView_, VK_FORMAT_R32G32_SFLOAT, gpu::bytesOf(made.pointScalars)},
+       {&extinctionView_, VK_FORMAT_R32_SFLOAT, gpu::bytesOf(made.largestExtinction)},
+       {&supportView_, VK_FORMAT_R32G32B32A32_SFLOAT, gpu::bytesOf(support)}}};
+  tables_.set(context_, views, "transfer function");
 }
 
 }  // namespace tetralux::render

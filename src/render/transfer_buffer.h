@@ -6,7 +6,7 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
-#include "gpu/buffer.h"
+#include "gpu/packed_tables.h"
 #include "render/mesh_space.h"
 #include "volume/transfer_function.h"
 
@@ -29,7 +29,16 @@ TransferTables makeTransferTables(const TransferFunction& transfer, const MeshSp
 
 class TransferBuffer {
  public:
-  TransferBuffer(const gpu::Context& context, const TransferFunction& transfer, const MeshSpace& space);
+  // No transfer function yet: set() comes first.
+  explicit TransferBuffer(const gpu::Context& context) : context_(context) {}
+  TransferBuffer(const gpu::Context& context, const TransferFunction& transfer, const MeshSpace& space)
+      : TransferBuffer(context) {
+    set(transfer, space);
+  }
+
+  // Another transfer function. All tables share one buffer and go there in one copy; memory is taken from the device
+  // only where they are longer than any before. Nothing may still be drawn with the last one. Throws Error(Device).
+  void set(const TransferFunction& transfer, const MeshSpace& space);
 
   const gpu::TexelView& pieces() const { return pieceView_; }
   const gpu::TexelView& pieceBins() const { return binView_; }
@@ -49,24 +58,18 @@ class TransferBuffer {
   // The same of points() and pointScalars().
   const std::vector<glm::vec4>& pointTexels() const { return pointTexels_; }
   const std::vector<glm::vec2>& pointScalarTexels() const { return pointScalarTexels_; }
-  std::uint64_t sizeBytes() const;
+  std::uint64_t sizeBytes() const { return tables_.sizeBytes(); }
 
  private:
-  TransferBuffer(const gpu::Context& context, const TransferTables& tables, Emission emission);
-
-  Emission emission_;
-  float largest_;
-  std::uint32_t supportCount_;
+  const gpu::Context& context_;
+  Emission emission_ = Emission::PerExtinction;
+  float largest_ = 0.0f;
+  std::uint32_t supportCount_ = 0;
   std::vector<glm::vec4> pieceTexels_;
   std::vector<glm::vec4> pointTexels_;
   std::vector<glm::vec2> pointScalarTexels_;
   std::vector<glm::vec4> support_;
-  gpu::Buffer pieceBuffer_;
-  gpu::Buffer binBuffer_;
-  gpu::Buffer pointBuffer_;
-  gpu::Buffer pointScalarBuffer_;
-  gpu::Buffer extinctionBuffer_;
-  gpu::Buffer supportBuffer_;
+  gpu::PackedTables tables_;
   gpu::TexelView pieceView_;
   gpu::TexelView binView_;
   gpu::TexelView pointView_;

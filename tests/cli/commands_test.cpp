@@ -211,6 +211,20 @@ TEST_F(Commands, BenchMeasuresFloorsOfTheMarch) {
   EXPECT_GE(passes[1]["counts"]["parts"].get<int>(), passes[1]["counts"]["cells"].get<int>());
 }
 
+TEST_F(Commands, BenchMeasuresSequences) {
+  const json all = json::parse(
+      run({"bench", "m.vtu", "--size", "32x32", "--frames", "3", "--max-rmse", "1", "--sequence", "--json", "--quiet"})
+          .out);
+  const json& sequence = all[0]["sequence"];
+  EXPECT_EQ(sequence["frames"], 3);
+  for (const char* key : {"alone_ms", "in_flight_ms"}) EXPECT_GT(sequence[key].get<double>(), 0.0) << key;
+  EXPECT_EQ(
+      json::parse(
+          run({"bench", "m.vtu", "--size", "32x32", "--frames", "1", "--max-rmse", "1", "--json", "--quiet"}).out)[0]
+          .count("sequence"),
+      0u);
+}
+
 TEST_F(Commands, BenchRefusesAWrongPicture) {
   const auto result = runTetralux({"bench", "m.vtu", "--size", "32x32", "--max-rmse", "0", "--quiet"}, dir_.path());
   EXPECT_EQ(result.status, 1);

@@ -2,9 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <numeric>
 
 #include "gpu/image.h"
+#include "gpu/packed_tables.h"
 #include "gpu_fixture.h"
 #include "support/expect_error.h"
 
@@ -28,6 +30,36 @@ TEST_F(GpuTest, BufferHoldsWhatIsUploaded) {
 TEST_F(GpuTest, EmptyBufferIsAllowed) {
   const Buffer buffer = makeBuffer(context(), std::vector<float>{}, "test");
   EXPECT_EQ(buffer.sizeBytes(), 4u);
+}
+
+TEST_F(GpuTest, SizesOfTexelBuffersLookAlike) {
+  for (std::uint64_t bytes = 4; bytes < (1u << 18); bytes += 4) {
+    const std::uint64_t padded = paddedTexelBytes(bytes);
+    ASSERT_GE(padded, bytes);
+    ASSERT_LE(padded, bytes + 512);
+    ASSERT_NE(padded >> 8 & 0xffu, 0u) << bytes;
+    ASSERT_NE(padded & (padded - 1), 0u) << bytes;
+  }
+}
+
+TEST_F(GpuTest, PackedTablesAreReplacedInPlace) {
+  const std::vector<std::uint32_t> first(100, 7);
+  const std::vector<std::uint32_t> second(33, 8);
+  PackedTables tables;
+  TexelView a;
+  TexelView b;
+  const auto set = [&](const std::vector<std::uint32_t>& x, const std::vector<std::uint32_t>& y) {
+    const std::array<TableView, 2> views = {
+        {{&a, VK_FORMAT_R32_UINT, bytesOf(x)}, {&b, VK_FORMAT_R32_UINT, bytesOf(y)}}};
+    tables.set(context(), views, "test");
+    EXPECT_NE(a.get(), VK_NULL_HANDLE);
+    EXPECT_NE(b.get(), VK_NULL_HANDLE);
+    return tables.sizeBytes();
+  };
+  EXPECT_EQ(set(first, second), 512u + 256u);
+  EXPECT_EQ(set(second, first), 512u + 256u);
+  EXPECT_EQ(set(second, second), 512u + 256u) << "less needs no other buffer";
+  EXPECT_EQ(set(first, first), 1024u);
 }
 
 TEST_F(GpuTest, BufferBeyondTheDeviceIsOutOfMemory) {

@@ -10,7 +10,8 @@
 // one: a loop over parts within a loop over cells would keep all lanes of a subgroup waiting for the one with most parts. With
 // another method a round is a cell.
 //
-// Included by march/march.comp in single, by march/march_precise.comp in double precision (include/real.glsl).
+// Included by march/march.comp in single, by march/march_precise.comp in double precision (include/real.glsl), and with methods
+// other than exact integration by march/march_methods.comp and march/march_methods_precise.comp.
 #include "include/march/march_bindings.glsl"
 
 // Scalar and optics are carried from cell to cell. A field of one scalar per cell jumps there.

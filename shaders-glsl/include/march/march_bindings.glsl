@@ -1,4 +1,5 @@
-// What the walks of march.glsl and march_appearance.glsl read and write.
+// What the walks of march.glsl and march_appearance.glsl read and write. With METHODS, segments are integrated by the method that
+// the pipeline is specialised for; without, exactly: drivers take four times as long for a module that has them all.
 #include "shared/clipped_cells.h"
 #include "shared/frame_view.h"
 #include "shared/limits.h"
@@ -13,26 +14,30 @@ layout(local_size_x = MARCH_WORKGROUP) in;
 #define MESH_VERTICES 2
 #define MESH_CELL_SCALARS 3
 #define TOPOLOGY_ACROSS 4
-#define MESH_VERTEX_RESTS 18
-#define MARCH_TILES 17
 #define TRANSFER_PIECES 5
 #define TRANSFER_PIECE_BINS 6
-#define INTEGRATION_NUMBERS 12
-#define INTEGRATION_TABLE_2D 13
-#define INTEGRATION_TABLE_3D 14
-#define TRANSFER_POINTS 15
-#define TRANSFER_POINT_SCALARS 16
-#ifdef APPEARANCE
-#define APPEARANCE_TEXELS 19
-#define VERTEX_GRADIENTS 20
-#define RAY_ENDS 21
-#define VERTEX_NUMBERS 22
-#define VERTEX_COLORS 23
+#define TRANSFER_POINTS 12
+#define TRANSFER_POINT_SCALARS 13
+#define MARCH_TILES 14
+#define MESH_VERTEX_RESTS 15
+#if defined METHODS
+#define INTEGRATION_NUMBERS 16
+#define INTEGRATION_TABLE_2D 17
+#define INTEGRATION_TABLE_3D 18
+#elif defined APPEARANCE
+#define APPEARANCE_TEXELS 16
+#define VERTEX_GRADIENTS 17
+#define RAY_ENDS 18
+#define VERTEX_NUMBERS 19
+#define VERTEX_COLORS 20
 layout(constant_id = SPEC_ISOSURFACES) const bool kIsosurfaces = false;
 layout(constant_id = SPEC_VOLUME) const bool kVolume = true;
 #endif
 #include "include/dispatch.glsl"
 #include "include/integrate.glsl"
+#ifndef METHODS
+const uint kIntegration = INTEGRATION_EXACT;
+#endif
 #include "include/integration/ray_parts.glsl"
 #include "include/march/count_work.glsl"
 #include "include/march_pixel.glsl"
