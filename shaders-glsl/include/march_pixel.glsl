@@ -2,6 +2,8 @@
 // one, so that rays that run together take the same way.
 //
 // Before including: dispatch.glsl, shared/march.h, shared/pixel_lists.h; MARCH_TILES is a binding number.
+#include "include/dealt_workgroups.glsl"
+
 layout(binding = MARCH_TILES, scalar) readonly buffer MarchTiles { uint marchTiles[]; };  // that have something to do
 
 uint tileColumns(PixelBand band) { return (band.width + MARCH_TILE - 1u) / MARCH_TILE; }
@@ -16,5 +18,5 @@ uvec2 tileOrigin(PixelBand band, uint tile) {
 uvec2 tilePixel(PixelBand band) {
   const uint i = gl_LocalInvocationIndex;
   const uvec2 inside = uvec2((i & 3u) | ((i >> 1) & 4u), ((i >> 2) & 1u) | ((i >> 3) & 6u));
-  return tileOrigin(band, marchTiles[workgroupIndex()]) + inside;
+  return tileOrigin(band, marchTiles[dealtWorkgroupIndex()]) + inside;
 }

@@ -19,12 +19,13 @@ layout(local_size_x = MARCH_WORKGROUP) in;
 #define MESH_VERTICES 2
 #define MESH_CELL_SCALARS 3
 #include "include/dispatch.glsl"
+#include "include/dealt_workgroups.glsl"
 #include "include/mesh_access.glsl"
 #include "include/view_space.glsl"
 
 layout(binding = 0, scalar) uniform FrameViewBlock { FrameView view; };
 layout(binding = 4) uniform usamplerBuffer boundary;  // three vertices, (b - a) x (c - a) points outwards, and the face's code
-layout(binding = 5, scalar) writeonly buffer Jobs { uvec2 jobs[]; };  // face, tile and place
+layout(binding = 5, scalar) writeonly buffer Jobs { uvec4 jobs[]; };  // face, tile and place, first node
 layout(binding = 6, scalar) buffer TileMarks { uint tileMarks[]; };   // bit 0: is in walkTiles
 layout(binding = 7, scalar) writeonly buffer WalkTiles { uint walkTiles[]; };
 layout(binding = 8, scalar) buffer Counts { MarchCounts counts; };
@@ -96,12 +97,16 @@ void addJob(uint face, uint tile, uvec2 first, uvec2 last) {
   const uint job = atomicAdd(counts.jobs, 1u);
   if (job >= jobCapacity) return;
   if (job % MARCH_WORKGROUP == 0u) atomicAdd(counts.jobGroups, 1u);
-  jobs[job] = uvec2(face, (tile << MARCH_JOB_PLACE_BITS) | first.x | (first.y << 3) | (last.x << 6) | (last.y << 9));
+  // Nodes for all its pixels: one counter for all jobs' nodes would keep processors waiting for each other.
+  const uvec2 size = last - first + 1u;
+  const uint node = atomicAdd(counts.nodes, size.x * size.y);
+  const uint place = (tile << MARCH_JOB_PLACE_BITS) | first.x | (first.y << 3) | (last.x << 6) | (last.y << 9);
+  jobs[job] = uvec4(face, place, node, 0u);
   if (atomicOr(tileMarks[tile], 1u) == 0u) walkTiles[atomicAdd(counts.walkTiles, 1u)] = tile;
 }
 
 void main() {
-  const uint face = linearIndex();
+  const uint face = dealtIndex();
   if (face >= faceCount) return;
   const uvec4 vertices = kWideAddressing ? boundaryAt.data[face] : texelFetch(boundary, int(face));
   const Outline outline = outlineOf(vertices);

@@ -24,7 +24,7 @@ SHARED_CONST uint MARCH_LAST_ROUND = 65000;  // for the parts of the last cell, 
 SHARED_CONST uint MARCH_BAND_PIXELS = 1u << 20;
 
 // A job is a face and those pixels of a tile that its rectangle covers: the tile's index, then the first and last column and row
-// in it, three bits each.
+// in it, three bits each. Nodes of lists are set aside for as many entries as it has pixels.
 SHARED_CONST uint MARCH_JOB_PLACE_BITS = 12;
 
 // A band's numbers of workgroups (VkDispatchIndirectCommand), and of what there was to do.
@@ -33,9 +33,10 @@ struct MarchCounts {
   uint walkTiles, walkTilesY, walkTilesZ;  // tiles with jobs
   uint sortTiles, sortTilesY, sortTilesZ;  // tiles with a pixel that has more than one face
   uint jobs;        // wanted; there may be room for fewer
-  uint nodes;       // of the pixels' lists, likewise
+  uint nodes;       // of the pixels' lists, set aside for jobs, likewise
   uint unfinished;  // rays that are not through
-  // With SPEC_COUNT_WORK, of 64 bits each:
+  // With SPEC_COUNT_WORK; the rest is of 64 bits each:
+  uint entries;  // nodes that are used
   uint cellsLow, cellsHigh;  // steps from cell to cell
   uint partsLow, partsHigh;  // segments, or parts of segments, that were integrated
 };

@@ -38,5 +38,6 @@
 #define SPEC_TRANSFER_ROWS 37        // uint: its gradients
 #define SPEC_CHOOSE_TRIANGLE 38      // bool: second run of surface/meet.comp
 #define SPEC_COUNT_WORK 39           // bool: rays that walk count their steps (MarchCounts)
+#define SPEC_DISPATCH_THREADS 40     // uint: threads that share out workgroups in equal runs; 1: whoever is free takes the next
 
 #endif

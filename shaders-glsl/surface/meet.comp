@@ -37,7 +37,7 @@ layout(push_constant, scalar) uniform Push {
 };
 
 void main() {
-  const uint index = linearIndex();
+  const uint index = dealtIndex();
   if (index >= min(counts.jobs, jobCapacity)) return;
   const uvec2 job = texelFetch(jobs, int(index)).xy;
   const uvec2 origin = tileOrigin(band, job.y >> MARCH_JOB_PLACE_BITS);

@@ -199,7 +199,7 @@ void addWork(MarchWork& work, const shared::MarchCounts& band, std::uint64_t fac
   const auto wide = [](std::uint32_t low, std::uint32_t high) { return std::uint64_t{high} << 32 | low; };
   work.faces += faces;
   work.jobs += band.jobs;
-  work.entries += band.nodes;
+  work.entries += band.entries;
   work.cells += wide(band.cellsLow, band.cellsHigh);
   work.parts += wide(band.partsLow, band.partsHigh);
 }

@@ -72,12 +72,12 @@ OrderReport drawFrame(gpu::Recorder& recorder, const FrameInputs& inputs, FrameP
 
 // What a frame of rays that walk had to do.
 struct MarchWork {
-  std::uint64_t faces = 0;    // boundary faces that were looked at, once for every band of rows
-  std::uint64_t jobs = 0;     // pairs of a face and a tile of pixels that it may cover
-  std::uint64_t entries = 0;  // nodes of the pixels' lists
+  std::uint64_t faces = 0;  // boundary faces that were looked at, once for every band of rows
+  std::uint64_t jobs = 0;   // pairs of a face and a tile of pixels that it may cover
   // Of frames with FrameVariant::countWork, else 0:
-  std::uint64_t cells = 0;  // steps from cell to cell
-  std::uint64_t parts = 0;  // segments, or parts of segments, that were integrated
+  std::uint64_t entries = 0;  // of rays into the mesh: nodes of the pixels' lists
+  std::uint64_t cells = 0;    // steps from cell to cell
+  std::uint64_t parts = 0;    // segments, or parts of segments, that were integrated
 };
 
 // The same by rays that walk from cell to cell: no cell is projected and none is sorted.

@@ -72,19 +72,22 @@ void MarchPass::recordEnter(gpu::CommandBuffer& commands, const FrameVariant& va
                      storage.jobs(), storage.tileMarks(), storage.walkTiles(), storage.counts()},
                     binPush, topology.boundaryCount());
   commands.barrier(kComputeWrite, kComputeReadWrite | kIndirectRead);
+  gpu::SpecConstants enterConstants = variant.specConstants();
+  enterConstants.push_back({SPEC_COUNT_WORK, variant.countWork});
   const EnterPush enterPush{mesh.addresses(), storage.vertexRestAddress(), topology.boundaryAddress(), band,
                             storage.room().jobs};
   commands.dispatchIndirect(
-      walk(variant).enter.get(variant.specConstants()),
+      walk(variant).enter.get(enterConstants),
       {storage.view(), mesh.cells(), mesh.vertices(), mesh.cellScalars(), topology.boundary(), topology.across(),
        storage.heads(), storage.links(), storage.ranks(), storage.jobsView(), storage.tileMarks(), storage.walkTiles(),
        storage.sortTiles(), storage.counts(), storage.vertexRests()},
       enterPush, storage.counts(), kJobGroups);
   commands.barrier(kComputeWrite, kComputeReadWrite | kIndirectRead);
-  commands.dispatchIndirect(arrange_.get({{SPEC_NEAR_CELLS, variant.nearCells}}),
-                            {storage.heads(), storage.links(), storage.ranks(),
-                             variant.nearCells ? storage.walkTiles() : storage.sortTiles()},
-                            band, storage.counts(), variant.nearCells ? kWalkTiles : kSortTiles);
+  commands.dispatchIndirect(
+      arrange_.get({{SPEC_NEAR_CELLS, variant.nearCells}, {SPEC_DISPATCH_THREADS, variant.dispatchThreads}}),
+      {storage.heads(), storage.links(), storage.ranks(),
+       variant.nearCells ? storage.walkTiles() : storage.sortTiles()},
+      band, storage.counts(), variant.nearCells ? kWalkTiles : kSortTiles);
   commands.barrier(kComputeReadWrite, kComputeReadWrite | kTransferWrite);
 }
 

@@ -19,15 +19,16 @@ constexpr size_t kGrain = 1 << 16;
 constexpr std::uint32_t kFewestJobs = 1u << 14;
 constexpr std::uint32_t kFewestNodes = 1u << 16;
 // Buffers of up to 64 MiB, which every device's descriptors reach.
-constexpr std::uint32_t kMost = 1u << 22;
+constexpr std::uint32_t kMostJobs = 1u << 22;
+constexpr std::uint32_t kMostNodes = 1u << 23;
 
 std::uint32_t tileCount(std::uint32_t pixels) { return (pixels + shared::MARCH_TILE - 1) / shared::MARCH_TILE; }
 
 // Room for a quarter more than was wanted: the next frame of a sequence is a little different.
-std::uint32_t enlarged(std::uint32_t capacity, std::uint32_t wanted, bool isLastResort) {
+std::uint32_t enlarged(std::uint32_t capacity, std::uint32_t wanted, std::uint32_t most, bool isLastResort) {
   if (wanted <= capacity) return capacity;
   const std::uint64_t more = wanted + std::uint64_t{wanted} / 4;
-  return static_cast<std::uint32_t>(std::min<std::uint64_t>(more, isLastResort ? 0xfffffffeu : kMost));
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(more, isLastResort ? 0xfffffffeu : most));
 }
 
 gpu::Buffer makeRestBuffer(const gpu::Context& context, const TetMesh& mesh, const MeshSpace& space) {
@@ -57,8 +58,8 @@ void MarchStorage::prepare(ImageSize size) {
   size_ = size;
   bandRows_ = std::clamp(shared::MARCH_BAND_PIXELS / size.width, 1u, size.height);
   // A ray enters and leaves most meshes once.
-  room_.nodes = std::clamp(2 * size.width * bandRows_, kFewestNodes, kMost);
-  room_.jobs = std::clamp(2 * topology_.boundaryCount(), kFewestJobs, kMost);
+  room_.nodes = std::clamp(2 * size.width * bandRows_, kFewestNodes, kMostNodes);
+  room_.jobs = std::clamp(2 * topology_.boundaryCount(), kFewestJobs, kMostJobs);
   allocate();
 }
 
@@ -73,12 +74,12 @@ void MarchStorage::allocate() {
   const std::uint64_t pixels = std::uint64_t{size.width} * bandRows_;
   const std::uint64_t tiles = std::uint64_t{tileCount(size.width)} * tileCount(bandRows_);
   gpu::requireMemory(context_,
-                     std::uint64_t{8} * room_.jobs + 12 * tiles + std::uint64_t{12} * room_.nodes + 20 * pixels,
+                     std::uint64_t{16} * room_.jobs + 12 * tiles + std::uint64_t{12} * room_.nodes + 20 * pixels,
                      "the picture's lists of faces");
   const auto make = [&](std::uint64_t bytes, const char* name) {
     return gpu::Buffer(context_, bytes, MemoryKind::Device, name);
   };
-  jobs_ = make(std::uint64_t{8} * room_.jobs, "march jobs");
+  jobs_ = make(std::uint64_t{16} * room_.jobs, "march jobs");
   tileMarks_ = make(4 * tiles, "march tile marks");
   walkTiles_ = make(4 * tiles, "march tiles");
   sortTiles_ = make(4 * tiles, "march tiles to sort");
@@ -86,7 +87,7 @@ void MarchStorage::allocate() {
   links_ = make(std::uint64_t{4} * room_.nodes, "march links");
   ranks_ = make(std::uint64_t{8} * room_.nodes, "march ranks");
   colors_ = make(16 * pixels, "march colors");
-  jobsView_ = gpu::TexelView(context_, jobs_, VK_FORMAT_R32G32_UINT);
+  jobsView_ = gpu::TexelView(context_, jobs_, VK_FORMAT_R32G32B32A32_UINT);
   colorsView_ = gpu::TexelView(context_, colors_, VK_FORMAT_R32G32B32A32_SFLOAT);
   size_ = size;
 }
@@ -123,8 +124,8 @@ void MarchStorage::recordReadCounts(gpu::CommandBuffer& commands, const gpu::Buf
 bool MarchStorage::grow(const MarchCounts& counts) {
   if (room_.holds(counts)) return false;
   const bool isLastResort = bandRows_ == 1;
-  room_.jobs = enlarged(room_.jobs, counts.jobs, isLastResort);
-  room_.nodes = enlarged(room_.nodes, counts.nodes, isLastResort);
+  room_.jobs = enlarged(room_.jobs, counts.jobs, kMostJobs, isLastResort);
+  room_.nodes = enlarged(room_.nodes, counts.nodes, kMostNodes, isLastResort);
   if (!room_.holds(counts)) bandRows_ = std::max(1u, bandRows_ / 2);
   allocate();
   return true;

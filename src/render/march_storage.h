@@ -54,7 +54,7 @@ class MarchStorage {
   const gpu::Buffer& view() const { return view_; }              // FrameView
   const gpu::Buffer& counts() const { return counts_; }          // MarchCounts
   const gpu::Buffer& hostCounts() const { return hostCounts_; }  // the same where the host can read them
-  const gpu::Buffer& jobs() const { return jobs_; }              // uvec2
+  const gpu::Buffer& jobs() const { return jobs_; }              // uvec4
   const gpu::TexelView& jobsView() const { return jobsView_; }
   const gpu::Buffer& tileMarks() const { return tileMarks_; }  // uint per tile
   const gpu::Buffer& walkTiles() const { return walkTiles_; }  // uint: tiles with jobs

@@ -13,7 +13,7 @@ constexpr std::uint64_t kFanBytes = shared::FAN_VERTICES * 24 + 4;
 // Of the march: a face's three vertices and code; a job, a link of a list, its rank and code; a list's first node; what
 // lies across a face of a cell; a pixel's colour.
 constexpr std::uint64_t kFaceBytes = 16;
-constexpr std::uint64_t kJobBytes = 8;
+constexpr std::uint64_t kJobBytes = 16;
 constexpr std::uint64_t kNodeBytes = 12;
 constexpr std::uint64_t kHeadBytes = 4;
 constexpr std::uint64_t kAcrossBytes = 8;

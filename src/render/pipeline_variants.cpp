@@ -6,11 +6,9 @@
 namespace tetralux::render {
 
 gpu::SpecConstants FrameVariant::specConstants() const {
-  return {{SPEC_WIDE_ADDRESSING, wideAddressing},
-          {SPEC_PERSPECTIVE, perspective},
-          {SPEC_CELL_FIELD, cellField},
-          {SPEC_NEAR_CELLS, nearCells},
-          {SPEC_SILHOUETTE, silhouette}};
+  return {{SPEC_WIDE_ADDRESSING, wideAddressing}, {SPEC_PERSPECTIVE, perspective},
+          {SPEC_CELL_FIELD, cellField},           {SPEC_NEAR_CELLS, nearCells},
+          {SPEC_SILHOUETTE, silhouette},          {SPEC_DISPATCH_THREADS, dispatchThreads}};
 }
 
 ComputeVariants::ComputeVariants(const gpu::Context& context, const std::string& shader)

@@ -23,11 +23,12 @@ struct FrameVariant {
   bool silhouette = false;
   bool gator = false;
   bool emissionPerLength = false;
-  bool countWork = false;          // SPEC_COUNT_WORK; not in specConstants()
-  bool doublePrecision = false;    // of rays that walk; not in specConstants(): shaders of their own
-  std::uint32_t subpixels = 0;     // SPEC_SUBPIXELS; not in specConstants()
-  std::uint32_t output = 0;        // shared/target_output.h
-  IntegrationVariant integration;  // of the shaders that draw segments; not in specConstants()
+  bool countWork = false;             // SPEC_COUNT_WORK; not in specConstants()
+  std::uint32_t dispatchThreads = 1;  // SPEC_DISPATCH_THREADS
+  bool doublePrecision = false;       // of rays that walk; not in specConstants(): shaders of their own
+  std::uint32_t subpixels = 0;        // SPEC_SUBPIXELS; not in specConstants()
+  std::uint32_t output = 0;           // shared/target_output.h
+  IntegrationVariant integration;     // of the shaders that draw segments; not in specConstants()
 
   gpu::SpecConstants specConstants() const;
 };

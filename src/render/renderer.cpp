@@ -197,6 +197,8 @@ FrameInputs Renderer::inputsOf(const Request& request, const FrameSetup& setup) 
   variant.subpixels = subpixels_;
   variant.emissionPerLength = transfer_->emission() == Emission::PerLength;
   variant.doublePrecision = usesDoublePrecision(setup);
+  // Mesa's software device has as many threads as there are processors, at most 32.
+  variant.dispatchThreads = context_.info().isCpu ? std::min(workerCount(), 32u) : 1;
   variant.countWork = request.options.countWork;
   variant.integration = request.integration;
   variant.output = request.output;

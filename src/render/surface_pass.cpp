@@ -68,11 +68,11 @@ SurfaceStorage::SurfaceStorage(const gpu::Context& context, const std::vector<Op
 }
 
 void SurfaceStorage::prepare(std::uint64_t pixels, std::uint64_t tiles) {
-  if (jobs_.sizeBytes() < std::uint64_t{8} * jobCapacity_) {
+  if (jobs_.sizeBytes() < std::uint64_t{16} * jobCapacity_) {
     jobsView_ = {};
     jobs_ = {};
-    jobs_ = gpu::Buffer(context_, std::uint64_t{8} * jobCapacity_, MemoryKind::Device, "surface jobs");
-    jobsView_ = gpu::TexelView(context_, jobs_, VK_FORMAT_R32G32_UINT);
+    jobs_ = gpu::Buffer(context_, std::uint64_t{16} * jobCapacity_, MemoryKind::Device, "surface jobs");
+    jobsView_ = gpu::TexelView(context_, jobs_, VK_FORMAT_R32G32B32A32_UINT);
   }
   if (rayEnds_.sizeBytes() >= 16 * pixels && tiles_.sizeBytes() >= 4 * tiles) return;
   rayEndsView_ = {};

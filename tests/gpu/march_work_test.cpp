@@ -101,8 +101,8 @@ TEST(PassWork, OfTheMarchNeedsCountedWork) {
   EXPECT_FALSE(passWork(stats, 100, 50, {8, 4})[1].bytes);
   stats.march = MarchWork{10, 4, 7, 100, 130};
   const std::vector<PassWork> work = passWork(stats, 100, 50, {8, 4});
-  // 10 faces of 16 bytes and 5 vertices; 4 jobs of 8, twice; 7 nodes of 12 and their lists' heads; 32 pixels.
-  EXPECT_EQ(work[0].bytes, 10 * 16 + 5 * 16 + 4 * 16 + 7 * 20 + 32 * 20);
+  // 10 faces of 16 bytes and 5 vertices; 4 jobs of 16, twice; 7 nodes of 12 and their lists' heads; 32 pixels.
+  EXPECT_EQ(work[0].bytes, 10 * 16 + 5 * 16 + 4 * 32 + 7 * 20 + 32 * 20);
   EXPECT_EQ(work[0].items, 4u);
   // 7 entries with node, cell and three vertices; 100 steps of 8 bytes and a vertex; 32 pixels of a head, a colour, a
   // picture.

@@ -18,6 +18,7 @@ layout(local_size_x = MARCH_WORKGROUP) in;
 #define MESH_VERTEX_RESTS 14
 #define MARCH_TILES 11
 #include "include/dispatch.glsl"
+#include "include/march/count_work.glsl"
 #include "include/march_pixel.glsl"
 #include "include/mesh_access.glsl"
 #include "include/real.glsl"
@@ -44,9 +45,7 @@ layout(push_constant, scalar) uniform Push {
   uint jobCapacity;
 };
 
-void addNode(uint tile, uvec2 place, uint rank, uint code) {
-  const uint node = atomicAdd(counts.nodes, 1u);
-  if (node >= band.capacity) return;
+void addNode(uint node, uint tile, uvec2 place, uint rank, uint code) {
   pixelRanks[node] = uvec2(rank, code);
   const uint behind = atomicExchange(pixelHeads[place.y * band.width + place.x], node);
   pixelLinks[node] = behind;
@@ -54,18 +53,21 @@ void addNode(uint tile, uvec2 place, uint rank, uint code) {
 }
 
 void main() {
-  const uint index = linearIndex();
+  const uint index = dealtIndex();
   if (index >= min(counts.jobs, jobCapacity)) return;
-  const uvec2 job = texelFetch(jobs, int(index)).xy;
+  const uvec3 job = texelFetch(jobs, int(index)).xyz;
   const uint tile = job.y >> MARCH_JOB_PLACE_BITS;
   const uvec2 origin = tileOrigin(band, tile);
   const uvec2 first = uvec2(job.y & 7u, (job.y >> 3) & 7u);
   const uvec2 last = uvec2((job.y >> 6) & 7u, (job.y >> 9) & 7u);
+  const uvec2 size = last - first + 1u;
+  if (job.z > band.capacity || size.x * size.y > band.capacity - job.z) return;  // no room: the band will be done again
   const uvec4 entry = kWideAddressing ? boundaryAt.data[job.x] : texelFetch(boundary, int(job.x));
   const Vertex vertexA = loadWalkVertex(mesh, restsAt, entry.x);
   const Vertex vertexB = loadWalkVertex(mesh, restsAt, entry.y);
   const Vertex vertexC = loadWalkVertex(mesh, restsAt, entry.z);
 
+  uint entries = 0;
   uvec2 at = first;
   for (uint i = 0; i < MARCH_TILE * MARCH_TILE; i++) {
     const uvec2 place = origin + at;
@@ -81,9 +83,13 @@ void main() {
     const Meeting there = meeting(face);
     const real depth = there.there.depth;
     const uint rank = depthRank(depth) | (leftAB ? ENTRY_BIT : 0u);
-    if (isMet && there.area != 0.0 && !(kNearCells && depth < ray.eyeDepth)) addNode(tile, place, rank, entry.w);
+    if (isMet && there.area != 0.0 && !(kNearCells && depth < ray.eyeDepth)) {
+      addNode(job.z + i, tile, place, rank, entry.w);
+      entries++;
+    }
     at.x++;
     if (at.x > last.x) at = uvec2(first.x, at.y + 1u);
     if (at.y > last.y) break;
   }
+  if (kCountWork) atomicAdd(counts.entries, entries);
 }
