@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "cli/default_transfer.h"
 #include "fields/appearance_data.h"
+#include "mesh/curve_order.h"
 #include "mesh/mesh_io.h"
 #include "scene/transfer_file.h"
 
@@ -16,6 +17,10 @@ namespace tetralux::cli {
 namespace {
 
 constexpr ImageSize kDefaultSize{1024, 768};
+
+// A mesh that is larger than caches and whose neighbours lie farther apart than this (memorySpread()) is put in order.
+constexpr size_t kCacheCells = 100000;
+constexpr double kLargestSpread = 0.15;
 
 }  // namespace
 
@@ -46,6 +51,11 @@ LoadedScene loadScene(const std::string& path, const SceneOptions& options) {
   options.appearance.apply(scene.appearance);
 
   loaded.mesh = readMesh(scene.meshPath);
+  if (loaded.mesh.cellCount() >= kCacheCells && memorySpread(loaded.mesh) > kLargestSpread) {
+    spdlog::info("{}: points and cells are scattered over the file; ordered along a Hilbert curve",
+                 scene.meshPath.string());
+    orderAlongCurve(loaded.mesh);
+  }
   loaded.field = scalarField(loaded.mesh, scene.fieldName, scene.meshPath.string());
   scene.fieldName = loaded.field.name;
   loaded.appearanceData = makeAppearanceData(scene.appearance, loaded.mesh, loaded.field, scene.meshPath.string());

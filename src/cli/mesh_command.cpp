@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
+#include "mesh/curve_order.h"
 #include "mesh/generate.h"
 #include "mesh/mesh_io.h"
 
@@ -108,6 +109,7 @@ class MeshCommand : public Command {
                    "sphere: adds the distance from the middle of the mesh's box, as array 'distance', and prefers it")
         ->check(CLI::IsMember({"sphere"}))
         ->type_name("FUNCTION");
+    app.add_flag("--shuffle", shuffle_, "Points and cells in random order, as some programs write them");
     app.add_flag("--uncompressed", uncompressed_, "Raw numbers in the file: larger, quicker to read");
     addQuiet(app);
   }
@@ -120,6 +122,7 @@ class MeshCommand : public Command {
     checkRatio(ratio);
     TetMesh mesh = kind.make(options_.cells.value_or(kind.cells), ratio, options_);
     if (fieldFunction_ == "sphere") addPreferredField(mesh, "distance", distanceField(mesh.bounds().center()));
+    if (shuffle_) shuffle(mesh, options_.seed);
     VtuWriteOptions options;
     options.compress = !uncompressed_;
     writeVtu(mesh, output_, options);
@@ -144,6 +147,7 @@ class MeshCommand : public Command {
   std::string output_;
   std::string fieldFunction_;
   MeshOptions options_;
+  bool shuffle_ = false;
   bool uncompressed_ = false;
 };
 

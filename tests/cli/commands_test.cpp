@@ -75,6 +75,18 @@ TEST_F(Commands, StatisticsNameTheOrderThatWasDrawn) {
   EXPECT_EQ(readExrAttribute(dir_ / "a.exr", "tetralux.order"), "radix");
 }
 
+TEST_F(Commands, ScatteredMeshesAreOrderedAndDrawnTheSame) {
+  for (const bool isShuffled : {false, true}) {
+    std::vector<std::string> arguments = {"mesh", "box", "--cells", "120000", "-o", "large.vtu", "--quiet"};
+    if (isShuffled) arguments.push_back("--shuffle");
+    run(arguments);
+    const auto result = run({"render", "large.vtu", "--size", "64x64", "-o", isShuffled ? "b.exr" : "a.exr"});
+    EXPECT_EQ(result.err.find("points and cells are scattered over the file") != std::string::npos, isShuffled)
+        << result.err;
+  }
+  EXPECT_LE(compareImages(readExr(dir_ / "a.exr"), readExr(dir_ / "b.exr")).max, 2e-5);
+}
+
 TEST_F(Commands, QuietIsQuiet) {
   const auto result = run({"render", "m.vtu", "--size", "16x16", "--quiet"});
   EXPECT_EQ(result.out, "");
