@@ -1,5 +1,6 @@
 #include "render/warm_pipelines.h"
 
+#include "base/error.h"
 #include "mesh/generate.h"
 
 namespace tetralux::render {
@@ -21,10 +22,14 @@ std::unique_ptr<MarchPass> warmPipelines(const gpu::Context& context, const Rend
   // Most pictures do not need double precision; whether this one does depends on the mesh.
   RendererOptions likely = options;
   likely.doublePrecision = options.doublePrecision.value_or(false);
-  Renderer renderer(context, mesh, scalarField(mesh, "", "warm-up"), likely);
-  renderer.setTransferFunction(frame.transferFunction);
-  renderer.draw(camera, kSize, frame.options);
-  return renderer.takeMarchPass();
+  try {
+    Renderer renderer(context, mesh, scalarField(mesh, "", "warm-up"), likely);
+    renderer.setTransferFunction(frame.transferFunction);
+    renderer.draw(camera, kSize, frame.options);
+    return renderer.takeMarchPass();
+  } catch (const Error&) {
+    return nullptr;  // the renderer of the mesh will meet it, and name what the user asked for
+  }
 }
 
 }  // namespace tetralux::render
