@@ -97,7 +97,7 @@ void addJob(uint face, uint tile, uvec2 first, uvec2 last) {
   const uint job = atomicAdd(counts.jobs, 1u);
   if (job >= jobCapacity) return;
   if (job % MARCH_WORKGROUP == 0u) atomicAdd(counts.jobGroups, 1u);
-  // Nodes for all its pixels: one counter for all jobs' nodes would keep processors waiting for each other.
+  // Nodes for all its pixels at once: drawn one by one, they would keep processors waiting for each other.
   const uvec2 size = last - first + 1u;
   const uint node = atomicAdd(counts.nodes, size.x * size.y);
   const uint place = (tile << MARCH_JOB_PLACE_BITS) | first.x | (first.y << 3) | (last.x << 6) | (last.y << 9);

@@ -11,6 +11,7 @@
 #include "cli/certify_options.h"
 #include "cli/commands.h"
 #include "cli/frame_sequence.h"
+#include "cli/frames_in_flight.h"
 #include "cli/load_scene.h"
 #include "cli/stats_json.h"
 #include "cli/write_image.h"
@@ -25,9 +26,6 @@ namespace {
 unsigned writerCount(const gpu::DeviceInfo& device) {
   return device.isCpu ? 1 : std::clamp(workerCount() / 2, 1u, 16u);
 }
-
-// Frames that the device may have in hand: it draws one while the host takes the other's picture.
-constexpr size_t kFramesInFlight = 2;
 
 class RenderCommand : public Command {
  public:
@@ -79,13 +77,10 @@ class RenderCommand : public Command {
     const unsigned writers = writerCount(context.info());
     TaskQueue writing(options.timed && context.info().isCpu ? 0 : writers + 1, writers);
     const auto cameraOf = [&](std::uint32_t frame) { return loaded.scene.camera.turned(360.0 * frame / frames_); };
-    std::uint32_t begun = 0;
-    for (std::uint32_t frame = 0; frame < frames_; frame++) {
-      while (begun < frames_ && renderer.inFlight() < kFramesInFlight)
-        renderer.begin(cameraOf(begun++), loaded.scene.size, options);
-      auto [stats, picture] = renderer.finish();
+    const auto take = [&](std::uint32_t frame, render::Renderer::Finished finished) {
+      const render::FrameStats& stats = finished.stats;
       const Camera camera = cameraOf(frame);
-      const auto image = std::make_shared<const Image>(std::move(picture));
+      const auto image = std::make_shared<const Image>(std::move(finished.image));
       failOnValidationMessages();
       exr.attributes = settings(loaded, context.info(), stats);
       const auto certificate = certifier.certify(loaded.exact(camera), *image);
@@ -97,7 +92,8 @@ class RenderCommand : public Command {
       });
       if (frame == 0 && explain_) printPlan(*stats.plan);
       run.frames.push_back(stats);
-    }
+    };
+    drawInFlight(renderer, frames_, loaded.scene.size, options, cameraOf, take);
     writing.finish();
     if (!statsFile_.empty()) {
       nlohmann::ordered_json json = statsJson(loaded, context.info(), renderer, run);

@@ -2,10 +2,10 @@
 
 #include <chrono>
 
+#include "cli/frames_in_flight.h"
+
 namespace tetralux::cli {
 namespace {
-
-constexpr std::uint32_t kFramesInFlight = 2;
 
 template <typename Draw>
 double msPerFrame(std::uint32_t frames, const Draw& draw) {
@@ -26,12 +26,9 @@ nlohmann::ordered_json sequenceJson(render::Renderer& renderer, const Camera& ca
     }
   };
   const auto inFlight = [&] {
-    std::uint32_t begun = 0;
-    for (std::uint32_t i = 0; i < frames; i++) {
-      while (begun < frames && renderer.inFlight() < kFramesInFlight)
-        renderer.begin(camera.turned(begun++), size, options);
-      renderer.finish();
-    }
+    drawInFlight(
+        renderer, frames, size, options, [&](std::uint32_t frame) { return camera.turned(frame); },
+        [](std::uint32_t, const render::Renderer::Finished&) {});
   };
   alone();  // lists have grown, clocks are up, the memory of pictures has been touched
   inFlight();

@@ -1,4 +1,4 @@
-// The transfer function on the device. Its size does not depend on the mesh; a change costs microseconds.
+// The transfer function on the device. Its size does not depend on the mesh; a change costs one copy of some kilobytes.
 #pragma once
 
 #include <cstdint>

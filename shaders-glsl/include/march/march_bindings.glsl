@@ -1,5 +1,5 @@
 // What the walks of march.glsl and march_appearance.glsl read and write. With METHODS, segments are integrated by the method that
-// the pipeline is specialised for; without, exactly: drivers take four times as long for a module that has them all.
+// the pipeline is specialised for; without, exactly: lavapipe takes twice as long for a module that has them all.
 #include "shared/clipped_cells.h"
 #include "shared/frame_view.h"
 #include "shared/limits.h"
