@@ -19,12 +19,13 @@ layout(local_size_x = 64) in;
 #define MESH_CELLS 1
 #define MESH_VERTICES 2
 #define MESH_CELL_SCALARS 3
+#define SUPPORT_INTERVALS 4
 #include "include/dispatch.glsl"
 #include "include/mesh_access.glsl"
+#include "include/support.glsl"
 #include "include/view_space.glsl"
 
 layout(binding = 0, scalar) uniform FrameViewBlock { FrameView view; };
-layout(binding = 4) uniform samplerBuffer supportIntervals;  // xy: scalars between which there is extinction or emission
 layout(binding = 5, scalar) writeonly buffer Keys { uint keys[]; };
 layout(binding = 6, scalar) buffer Counters { FrameCounters counters; };
 
@@ -44,26 +45,6 @@ const float kSampleMargin = 1.0 / 128.0;
 
 // With so many pixel centres in its box, a cell is not tested against each of them.
 const float kTestedSamples = 4.0;
-
-// Floats as integers of the same order.
-int ordered(float value) {
-  const int bits = floatBitsToInt(value);
-  return bits >= 0 ? bits : bits ^ 0x7fffffff;
-}
-
-bool isInSupport(vec4 scalar) {
-  const float low = min(min(scalar.x, scalar.y), min(scalar.z, scalar.w));
-  const float high = max(max(scalar.x, scalar.y), max(scalar.z, scalar.w));
-  bool found = false;
-  // A bound that is not just a uniform: Mesa's software device compiles a shader anew for every value of such a bound.
-  const uint count = min(view.supportCount, uint(textureSize(supportIntervals)));
-  for (uint i = 0; i < count; i++) {
-    const vec2 interval = texelFetch(supportIntervals, int(i)).xy;
-    // An interval that begins at a step at 0 begins with the largest number below it, which devices may take for 0.
-    found = found || (low < interval.y && ordered(high) > ordered(interval.x));
-  }
-  return found;
-}
 
 // Pixel centres inside a box, as indices of columns (from the left) and rows (from the bottom).
 struct SampleRange {
@@ -111,6 +92,11 @@ uint visibility(ScreenBox box, vec3 position[4], bool isNear) {
   const vec2 count = samples.last - samples.first + 1.0;
   if (!isNear && count.x * count.y <= kTestedSamples && !coversASample(position, samples)) return kNoSample;
   return kVisible;
+}
+
+bool isInSupport(vec4 scalar) {
+  return isInSupport(min(min(scalar.x, scalar.y), min(scalar.z, scalar.w)), max(max(scalar.x, scalar.y), max(scalar.z, scalar.w)),
+                     view.supportCount);
 }
 
 // Distance of the centroid from the eye (less |eye|, so that digits are kept when the eye is far away) or depth.

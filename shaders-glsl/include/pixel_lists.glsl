@@ -77,3 +77,51 @@ uint sortedList(uint head) {
   }
   return head;
 }
+
+// A node of a short list, with what it is sorted by.
+struct RankedNode {
+  uint node;
+  uvec2 rank;
+};
+
+RankedNode rankedNode(uint node) {
+  return RankedNode(node, node == NO_NODE ? uvec2(0xffffffffu) : pixelRanks[node]);
+}
+
+uint nextNode(uint node) { return node == NO_NODE ? NO_NODE : pixelLinks[node]; }
+
+void putInOrder(inout RankedNode a, inout RankedNode b) {
+  if (!precedes(b.rank, a.rank)) return;
+  const RankedNode first = b;
+  b = a;
+  a = first;
+}
+
+// The same as sortedList() of a list of up to eight nodes, which most are: in registers, by a network of 19 exchanges (Batcher 1968).
+// Longer lists are left to sortedList().
+uint sortedShortList(uint head) {
+  RankedNode n[8];
+  n[0] = rankedNode(head);
+  n[1] = rankedNode(nextNode(n[0].node));
+  n[2] = rankedNode(nextNode(n[1].node));
+  n[3] = rankedNode(nextNode(n[2].node));
+  n[4] = rankedNode(nextNode(n[3].node));
+  n[5] = rankedNode(nextNode(n[4].node));
+  n[6] = rankedNode(nextNode(n[5].node));
+  n[7] = rankedNode(nextNode(n[6].node));
+  if (nextNode(n[7].node) != NO_NODE) return sortedList(head);
+  putInOrder(n[0], n[1]); putInOrder(n[2], n[3]); putInOrder(n[4], n[5]); putInOrder(n[6], n[7]);
+  putInOrder(n[0], n[2]); putInOrder(n[1], n[3]); putInOrder(n[4], n[6]); putInOrder(n[5], n[7]);
+  putInOrder(n[1], n[2]); putInOrder(n[5], n[6]); putInOrder(n[0], n[4]); putInOrder(n[1], n[5]);
+  putInOrder(n[2], n[6]); putInOrder(n[3], n[7]); putInOrder(n[2], n[4]); putInOrder(n[3], n[5]);
+  putInOrder(n[1], n[2]); putInOrder(n[3], n[4]); putInOrder(n[5], n[6]);
+  if (n[0].node != NO_NODE) pixelLinks[n[0].node] = n[1].node;
+  if (n[1].node != NO_NODE) pixelLinks[n[1].node] = n[2].node;
+  if (n[2].node != NO_NODE) pixelLinks[n[2].node] = n[3].node;
+  if (n[3].node != NO_NODE) pixelLinks[n[3].node] = n[4].node;
+  if (n[4].node != NO_NODE) pixelLinks[n[4].node] = n[5].node;
+  if (n[5].node != NO_NODE) pixelLinks[n[5].node] = n[6].node;
+  if (n[6].node != NO_NODE) pixelLinks[n[6].node] = n[7].node;
+  if (n[7].node != NO_NODE) pixelLinks[n[7].node] = NO_NODE;
+  return n[0].node;
+}

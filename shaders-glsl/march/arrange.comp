@@ -57,7 +57,7 @@ void main() {
   uint head = pixelHeads[pixel];
   if (head == NO_NODE) return;
   if (pixelLinks[head] == NO_NODE && !kNearCells) return;
-  head = sortedList(head);
+  head = sortedShortList(head);
   if (kNearCells) head = countedExits(head);
   pixelHeads[pixel] = head;
 }

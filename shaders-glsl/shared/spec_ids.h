@@ -39,5 +39,6 @@
 #define SPEC_CHOOSE_TRIANGLE 38      // bool: second run of surface/meet.comp
 #define SPEC_COUNT_WORK 39           // bool: rays that walk count their steps (MarchCounts)
 #define SPEC_DISPATCH_THREADS 40     // uint: threads that share out workgroups in equal runs; 1: whoever is free takes the next
+#define SPEC_LIST_FACES 41           // bool: second run of skip/skip.comp
 
 #endif

@@ -47,8 +47,8 @@ nlohmann::ordered_json orderJson(const render::OrderReport& report) {
 }
 
 const std::vector<std::string>& passNames() {
-  static const std::vector<std::string> names = {"cull",  "order",   "check",   "sort",  "project",  "raster",
-                                                 "apart", "combine", "measure", "enter", "surfaces", "march"};
+  static const std::vector<std::string> names = {"cull",    "order",   "check", "sort",  "project",  "raster", "apart",
+                                                 "combine", "measure", "skip",  "enter", "surfaces", "march"};
   return names;
 }
 

@@ -128,6 +128,7 @@ void AppearanceBuffer::setTransfer(const TransferBuffer& transfer) {
   for (const float value : isovalues_)
     support.emplace_back(std::nextafter(value, -kEverywhere), std::nextafter(value, kEverywhere), 0.0f, 0.0f);
   supportCount_ = static_cast<std::uint32_t>(support.size());
+  showsEverywhere_ = coversField(support);
   if (support.empty()) support.emplace_back(0.0f);
   constexpr VkFormat kFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
   const std::array<gpu::TableView, 3> views = {{{&pointView_, kFormat, gpu::bytesOf(points.points)},

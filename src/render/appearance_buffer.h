@@ -37,6 +37,7 @@ class AppearanceBuffer {
   // As TransferBuffer's, for scalars that show: those of isosurfaces, too, and all where classification is by more.
   const gpu::TexelView& support() const { return supportView_; }
   std::uint32_t supportCount() const { return supportCount_; }
+  bool showsEverywhere() const { return showsEverywhere_; }
 
   const gpu::TexelView& texels() const { return texelView_; }
   const gpu::TexelView& gradients() const { return gradientView_; }
@@ -68,6 +69,7 @@ class AppearanceBuffer {
   gpu::TexelView pointScalarView_;
   gpu::TexelView supportView_;
   std::uint32_t supportCount_ = 0;
+  bool showsEverywhere_ = false;
 };
 
 }  // namespace tetralux::render

@@ -152,7 +152,7 @@ void recordEnter(gpu::Recorder& recorder, const FrameInputs& inputs, MarchPass& 
                  const shared::PixelBand& band) {
   gpu::CommandBuffer& commands = recorder.pass("enter");
   if (band.firstRow == 0) recordView(commands, inputs, storage.view());
-  pass.recordEnter(commands, inputs.variant, inputs.mesh, storage, band);
+  pass.recordEnter(commands, inputs, storage, band);
 }
 
 // enter: the cells in which rays start
@@ -161,7 +161,7 @@ void findFirstCells(gpu::Recorder& recorder, const FrameInputs& inputs, MarchPas
   untilThrough(recorder, inputs, storage, [&] {
     gpu::CommandBuffer& commands = recorder.pass("enter");
     storage.recordClearUnfinished(commands);
-    pass.recordSeek(commands, inputs.variant, inputs.mesh, storage, band);
+    pass.recordSeek(commands, inputs, storage, band);
     storage.recordReadCounts(commands, storage.hostCounts());
   });
 }
@@ -261,7 +261,7 @@ OrderReport drawFrame(gpu::Recorder& recorder, const FrameInputs& inputs, FrameP
 MarchWork marchFrame(gpu::Recorder& recorder, const FrameInputs& inputs, MarchPass& pass, MarchStorage& storage,
                      const gpu::AttachmentImage& target) {
   MarchWork work;
-  storage.prepare(inputs.size);
+  storage.prepare(inputs.size, inputs.walkTopology(storage).boundaryCount());
   for (std::uint32_t row = 0; row < inputs.size.height;) {
     const shared::PixelBand band = storage.bandFrom(row);
 
@@ -278,7 +278,7 @@ MarchWork marchFrame(gpu::Recorder& recorder, const FrameInputs& inputs, MarchPa
       if (!inputs.surfaces) recordShow(commands, pass, storage, band, target);
     });
     if (storage.grow(counts)) continue;
-    addWork(work, counts, storage.topology().boundaryCount());
+    addWork(work, counts, inputs.walkTopology(storage).boundaryCount());
     if (inputs.surfaces) {
       gpu::CommandBuffer& commands = recorder.pass("march");
       inputs.surfacePass->recordBehind(commands, *inputs.surfaces, storage.colors(), band);
@@ -291,7 +291,7 @@ MarchWork marchFrame(gpu::Recorder& recorder, const FrameInputs& inputs, MarchPa
 }
 
 bool canRunAhead(const FrameInputs& inputs, MarchStorage& storage) {
-  storage.prepare(inputs.size);
+  storage.prepare(inputs.size, inputs.walkTopology(storage).boundaryCount());
   return !inputs.variant.nearCells && !inputs.surfaces && storage.bandRows() >= inputs.size.height;
 }
 

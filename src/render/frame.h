@@ -64,6 +64,10 @@ struct FrameInputs {
   SurfacePass* surfacePass = nullptr;  // with surfaces
   SurfaceStorage* surfaces = nullptr;  // opaque triangles, if there are any
   bool checkOrder = false;             // count what the order gets wrong
+  // Of the march: the part of the mesh that is left to walk through (empty_space.h), or null for all of it.
+  const WalkTopology* kept = nullptr;
+
+  const WalkTopology& walkTopology(const MarchStorage& storage) const { return kept ? *kept : storage.topology(); }
 };
 
 // Draws a frame into `target`, whose old content is forgotten, and waits for it. Returns how right the order was.

@@ -60,9 +60,11 @@ MarchPass::Walk::Walk(const gpu::Context& context, const std::string& suffix)
 
 MarchPass::Walk& MarchPass::walk(const FrameVariant& variant) { return variant.doublePrecision ? *double_ : *single_; }
 
-void MarchPass::recordEnter(gpu::CommandBuffer& commands, const FrameVariant& variant, const GpuMesh& mesh,
-                            const MarchStorage& storage, const shared::PixelBand& band) {
-  const WalkTopology& topology = storage.topology();
+void MarchPass::recordEnter(gpu::CommandBuffer& commands, const FrameInputs& inputs, const MarchStorage& storage,
+                            const shared::PixelBand& band) {
+  const FrameVariant& variant = inputs.variant;
+  const GpuMesh& mesh = inputs.mesh;
+  const WalkTopology& topology = inputs.walkTopology(storage);
   storage.recordClear(commands);
   commands.barrier(kTransferWrite, kComputeReadWrite | kIndirectRead);
   const BinPush binPush{mesh.addresses(), topology.boundaryAddress(), band, topology.boundaryCount(),
@@ -91,12 +93,15 @@ void MarchPass::recordEnter(gpu::CommandBuffer& commands, const FrameVariant& va
   commands.barrier(kComputeReadWrite, kComputeReadWrite | kTransferWrite);
 }
 
-void MarchPass::recordSeek(gpu::CommandBuffer& commands, const FrameVariant& variant, const GpuMesh& mesh,
-                           const MarchStorage& storage, const shared::PixelBand& band) {
-  const WalkPush push{mesh.addresses(), storage.vertexRestAddress(), storage.topology().acrossAddress(), band};
+void MarchPass::recordSeek(gpu::CommandBuffer& commands, const FrameInputs& inputs, const MarchStorage& storage,
+                           const shared::PixelBand& band) {
+  const FrameVariant& variant = inputs.variant;
+  const GpuMesh& mesh = inputs.mesh;
+  const WalkTopology& topology = inputs.walkTopology(storage);
+  const WalkPush push{mesh.addresses(), storage.vertexRestAddress(), topology.acrossAddress(), band};
   commands.dispatchIndirect(
       walk(variant).seek.get(variant.specConstants()),
-      {storage.view(), mesh.cells(), mesh.vertices(), mesh.cellScalars(), storage.topology().across(), storage.heads(),
+      {storage.view(), mesh.cells(), mesh.vertices(), mesh.cellScalars(), topology.across(), storage.heads(),
        storage.links(), storage.ranks(), storage.counts(), storage.walkTiles(), storage.vertexRests()},
       push, storage.counts(), kWalkTiles);
   commands.barrier(kComputeReadWrite, kComputeReadWrite | kTransferWrite);
@@ -108,7 +113,8 @@ void MarchPass::recordMarch(gpu::CommandBuffer& commands, const FrameInputs& inp
   const GpuMesh& mesh = inputs.mesh;
   const TransferBuffer& transfer = inputs.transfer;
   const AppearanceBuffer* appearance = inputs.appearance;
-  const WalkPush push{mesh.addresses(), storage.vertexRestAddress(), storage.topology().acrossAddress(), band};
+  const WalkTopology& topology = inputs.walkTopology(storage);
+  const WalkPush push{mesh.addresses(), storage.vertexRestAddress(), topology.acrossAddress(), band};
   gpu::SpecConstants constants = variant.specConstants();
   constants.push_back({SPEC_EMISSION_PER_LENGTH, variant.emissionPerLength});
   constants.push_back({SPEC_COUNT_WORK, variant.countWork});
@@ -117,7 +123,7 @@ void MarchPass::recordMarch(gpu::CommandBuffer& commands, const FrameInputs& inp
                             mesh.cells(),
                             mesh.vertices(),
                             mesh.cellScalars(),
-                            storage.topology().across(),
+                            topology.across(),
                             transfer.pieces(),
                             transfer.pieceBins(),
                             storage.heads(),

@@ -28,13 +28,13 @@ class MarchPass {
 
   // Lists the faces where the rays of a band enter the mesh, near ones first, and the tiles of pixels that have any;
   // empties the band's colours. When there was too little room (MarchStorage::grow), what follows is wrong.
-  void recordEnter(gpu::CommandBuffer& commands, const FrameVariant& variant, const GpuMesh& mesh,
-                   const MarchStorage& storage, const shared::PixelBand& band);
+  void recordEnter(gpu::CommandBuffer& commands, const FrameInputs& inputs, const MarchStorage& storage,
+                   const shared::PixelBand& band);
 
   // Where the eye may be inside the mesh: finds the cells in which rays start. Counts the rays for which it
   // has to be recorded again.
-  void recordSeek(gpu::CommandBuffer& commands, const FrameVariant& variant, const GpuMesh& mesh,
-                  const MarchStorage& storage, const shared::PixelBand& band);
+  void recordSeek(gpu::CommandBuffer& commands, const FrameInputs& inputs, const MarchStorage& storage,
+                  const shared::PixelBand& band);
 
   // Walks. Counts the rays that are not through; recorded again, they go on.
   void recordMarch(gpu::CommandBuffer& commands, const FrameInputs& inputs, const MarchStorage& storage,

@@ -53,13 +53,13 @@ MarchStorage::MarchStorage(const gpu::Context& context, const TetMesh& mesh, con
       counts_(context, sizeof(MarchCounts), MemoryKind::Device, "march counts"),
       hostCounts_(context, sizeof(MarchCounts), MemoryKind::Readback, "march counts on the host") {}
 
-void MarchStorage::prepare(ImageSize size) {
+void MarchStorage::prepare(ImageSize size, std::uint32_t boundaryCount) {
   if (size_.width == size.width && size_.height == size.height) return;
   size_ = size;
   bandRows_ = std::clamp(shared::MARCH_BAND_PIXELS / size.width, 1u, size.height);
   // A ray enters and leaves most meshes once.
   room_.nodes = std::clamp(2 * size.width * bandRows_, kFewestNodes, kMostNodes);
-  room_.jobs = std::clamp(2 * topology_.boundaryCount(), kFewestJobs, kMostJobs);
+  room_.jobs = std::clamp(2 * boundaryCount, kFewestJobs, kMostJobs);
   allocate();
 }
 

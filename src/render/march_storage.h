@@ -29,7 +29,8 @@ class MarchStorage {
   MarchStorage(const gpu::Context& context, const TetMesh& mesh, const MeshSpace& space, const Adjacency& adjacency);
 
   // Room for a picture; nothing when there is enough already. Throws Error(Device).
-  void prepare(ImageSize size);
+  //   boundaryCount   faces through which rays may enter
+  void prepare(ImageSize size, std::uint32_t boundaryCount);
 
   // The band that begins with a row.
   shared::PixelBand bandFrom(std::uint32_t firstRow) const;

@@ -68,6 +68,7 @@ Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const Scala
     cutFolds(mesh, adjacency);
     noteAdjacency(adjacency);
     marchStorage_ = std::make_unique<MarchStorage>(context, mesh, mesh_.space(), adjacency);
+    emptySpace_ = std::make_unique<EmptySpace>(context, options.skipEmptySpace);
     return;
   }
   passes_ = std::make_unique<FramePasses>(context);
@@ -129,6 +130,8 @@ void Renderer::prepareTransfer() {
   if (!transfer_) transfer_ = std::make_unique<TransferBuffer>(context_);
   transfer_->set(transfer, mesh_.space());
   if (appearance_) appearance_->setTransfer(*transfer_);
+  if (emptySpace_) emptySpace_->forget();
+  hasDrawnTransfer_ = false;
   choice_.reset();
   plan_.reset();
   luminance_ = largestLuminance(transfer, space().scalarCenter - 0.5 * space().scalarRange,
@@ -202,8 +205,47 @@ FrameInputs Renderer::inputsOf(const Request& request, const FrameSetup& setup) 
   variant.countWork = request.options.countWork;
   variant.integration = request.integration;
   variant.output = request.output;
-  return {context_,       mesh_,        *transfer_,        *tables_,           setup,           variant,
-          request.camera, request.size, appearance_.get(), surfacePass_.get(), surfaces_.get(), request.checkOrder};
+  return {context_,
+          mesh_,
+          *transfer_,
+          *tables_,
+          setup,
+          variant,
+          request.camera,
+          request.size,
+          appearance_.get(),
+          surfacePass_.get(),
+          surfaces_.get(),
+          request.checkOrder,
+          canSkip(request) ? emptySpace_->kept() : nullptr};
+}
+
+bool Renderer::canSkip(const Request& request) const {
+  return marchPass_ && request.options.integration == Integration::Exact;
+}
+
+void Renderer::skipEmptySpace(const Request& request, FrameStats& stats) {
+  const bool mayChangeSoon = hasDrawn_ && !hasDrawnTransfer_;
+  hasDrawn_ = true;
+  hasDrawnTransfer_ = true;
+  if (!canSkip(request)) return;
+  // Landing may draw again, and come here.
+  if (!mayChangeSoon && !emptySpace_->isFound()) landFlights();
+  if (!mayChangeSoon && !emptySpace_->isFound()) {
+    gpu::Recorder recorder(context_, request.timing);
+    emptySpace_->find(recorder, skipInputs());
+    stats.frameMs += recorder.totalMs();
+    stats.passes.insert(stats.passes.end(), recorder.passTimes().begin(), recorder.passTimes().end());
+  }
+  stats.culledTransparent = emptySpace_->cutCells();
+}
+
+SkipInputs Renderer::skipInputs() const {
+  const WalkTopology& whole = marchStorage_->topology();
+  if (appearance_)
+    return {mesh_,          whole, appearance_->support(), appearance_->supportCount(), appearance_->showsEverywhere(),
+            wideAddressing_};
+  return {mesh_, whole, transfer_->support(), transfer_->supportCount(), transfer_->showsEverywhere(), wideAddressing_};
 }
 
 FrameTarget Renderer::targetOf(const Request& request) const {
@@ -276,6 +318,7 @@ Renderer::Request Renderer::prepare(const Camera& camera, ImageSize size, const 
   request.output = options.constantColor                 ? shared::OUTPUT_CONSTANT
                    : stats.target == Target::Rgba8Dither ? shared::OUTPUT_DITHERED
                                                          : shared::OUTPUT_COLOR;
+  skipEmptySpace(request, stats);
   stats.integration = request.integration.integration;
   stats.interpolation = options.interpolation;
   stats.tableBuild = tables_->tableBuild();
@@ -321,7 +364,7 @@ FrameStats Renderer::draw(const Request& request, FrameStats stats) {
   }
   stats.culledOutside = counters.outside;
   stats.culledNoSample = counters.noSample;
-  stats.culledTransparent = counters.transparent;
+  if (storage_) stats.culledTransparent = counters.transparent;
   stats.passes.insert(stats.passes.end(), recorder.passTimes().begin(), recorder.passTimes().end());
   stats.frameMs += recorder.totalMs();
   return stats;
@@ -393,10 +436,11 @@ Renderer::Finished Renderer::finish() {
 MemoryUse Renderer::memoryUse() const {
   MemoryUse use;
   use.meshBytes = mesh_.sizeBytes();
-  use.frameBytes = (storage_ ? storage_->sizeBytes() : marchStorage_->sizeBytes()) + target_.sizeBytes();
+  const std::uint64_t skipBytes = emptySpace_ ? emptySpace_->sizeBytes() : 0;
+  use.frameBytes = (storage_ ? storage_->sizeBytes() : marchStorage_->sizeBytes() + skipBytes) + target_.sizeBytes();
   use.orderBytes = (order_ ? order_->sizeBytes() : 0) + (visibility_ ? visibility_->sizeBytes() : 0);
-  use.topologyBytes =
-      marchStorage_ ? marchStorage_->topology().sizeBytes() : (visibility_ ? visibility_->topology.sizeBytes() : 0);
+  use.topologyBytes = marchStorage_ ? marchStorage_->topology().sizeBytes() + skipBytes
+                                    : (visibility_ ? visibility_->topology.sizeBytes() : 0);
   use.cellOrderBytes = use.orderBytes + (storage_ ? storage_->sort.sizeBytes() - use.topologyBytes : 0);
   use.pictureBytes = use.frameBytes - (storage_ ? storage_->sort.sizeBytes() : use.topologyBytes);
   use.hostMeshBytes = hostMeshBytes_;

@@ -11,6 +11,7 @@
 #include "image/image.h"
 #include "mesh/adjacency.h"
 #include "mesh/tet_mesh.h"
+#include "render/empty_space.h"
 #include "render/frame.h"
 #include "render/order/order_check.h"
 #include "render/projection.h"
@@ -41,6 +42,9 @@ struct RendererOptions {
   // Of rays that walk, where the device has it. Nothing: where single precision may show (precision.h); else for tests.
   std::optional<bool> doublePrecision;
   CellProjection projection = CellProjection::Pt;
+  // Cut cells that the transfer function leaves empty out of the mesh that rays walk through, or never do (for tests).
+  // Nothing: where it pays (empty_space.h).
+  std::optional<bool> skipEmptySpace;
   // Snap vertices of fans to the device's grid and take back what that does to interpolated values. Nothing: on devices
   // that interpolate between snapped vertices, which are taken to be those that are not processors.
   std::optional<bool> snapVertices;
@@ -64,9 +68,9 @@ struct FrameStats {
   std::optional<std::uint64_t> clippedCells = 0;
   std::uint64_t culledOutside = 0;
   std::uint64_t culledNoSample = 0;
-  std::uint64_t culledTransparent = 0;
-  std::vector<gpu::PassTime> passes;  // when timed
-  Target target = Target::Rgba32f;    // what was drawn into; never Auto
+  std::uint64_t culledTransparent = 0;  // of rays that walk: cut out of what they walk through
+  std::vector<gpu::PassTime> passes;    // when timed
+  Target target = Target::Rgba32f;      // what was drawn into; never Auto
   CellProjection projection = CellProjection::Pt;
   bool doublePrecision = false;  // rays walked in it
   OrderReport order;
@@ -203,6 +207,12 @@ class Renderer {
   FrameInputs inputsOf(const Request& request, const FrameSetup& setup) const;
   Drawn drawInto(gpu::Recorder& recorder, const Request& request, const FrameTarget& target);
   FrameTarget targetOf(const Request& request) const;
+  // Whether a frame is the same without the cells that do not show: tables of other methods may blur light into them.
+  bool canSkip(const Request& request) const;
+  // Cuts out what the transfer function leaves empty: before the first frame, and before the second with another one,
+  // so that those who try one after the other do not wait for it. Adds what it took to the statistics, as pass "skip".
+  void skipEmptySpace(const Request& request, FrameStats& stats);
+  SkipInputs skipInputs() const;
   // Target::Auto: draws a small frame that counts roundings and applies halfFloatHolds() to the worst of its pixels.
   // Adds what it took to the statistics, as pass "measure".
   Target chooseTarget(const Request& request, FrameStats& stats);
@@ -227,6 +237,9 @@ class Renderer {
   // Of walking rays:
   std::unique_ptr<MarchPass> marchPass_;
   std::unique_ptr<MarchStorage> marchStorage_;
+  std::unique_ptr<EmptySpace> emptySpace_;
+  bool hasDrawn_ = false;          // any frame
+  bool hasDrawnTransfer_ = false;  // one with this transfer function and appearance
   TransferFunction transferFunction_;
   std::unique_ptr<TransferBuffer> transfer_;
   bool isTransferReplaced_ = false;

@@ -146,6 +146,12 @@ TransferTables makeTransferTables(const TransferFunction& transfer, const MeshSp
   return tables;
 }
 
+bool coversField(const std::vector<glm::vec4>& support) {
+  // Normalised scalars are within 1/2 of 0, up to rounding.
+  return std::any_of(support.begin(), support.end(),
+                     [](const glm::vec4& interval) { return interval.x < -1.0f && interval.y > 1.0f; });
+}
+
 void TransferBuffer::set(const TransferFunction& transfer, const MeshSpace& space) {
   const TransferTables made = makeTransferTables(transfer, space);
   emission_ = transfer.emission();

@@ -27,6 +27,9 @@ struct TransferTables {
 // moved down by one ulp.
 TransferTables makeTransferTables(const TransferFunction& transfer, const MeshSpace& space);
 
+// Whether every scalar of the field lies inside one interval of a support.
+bool coversField(const std::vector<glm::vec4>& support);
+
 class TransferBuffer {
  public:
   // No transfer function yet: set() comes first.
@@ -47,6 +50,7 @@ class TransferBuffer {
   const gpu::TexelView& largestExtinction() const { return extinctionView_; }
   const gpu::TexelView& support() const { return supportView_; }
   std::uint32_t supportCount() const { return supportCount_; }
+  bool showsEverywhere() const { return coversField(support_); }
   Emission emission() const { return emission_; }
   float largest() const {
     return largest_;

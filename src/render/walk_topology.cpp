@@ -56,15 +56,38 @@ std::vector<std::array<std::uint32_t, 4>> listBoundary(const TetMesh& mesh, cons
   return faces;
 }
 
+std::vector<std::uint32_t> windingBits(const Adjacency& adjacency) {
+  constexpr size_t kBits = 32;
+  const size_t cells = adjacency.sides.size();
+  std::vector<std::uint32_t> words((cells + kBits - 1) / kBits);
+  parallelFor(words.size(), kGrain / kBits, [&](size_t begin, size_t end, unsigned) {
+    for (size_t cell = begin * kBits; cell < std::min(end * kBits, cells); cell++)
+      words[cell / kBits] |= static_cast<std::uint32_t>(adjacency.sides[cell] >> 1 & 1) << cell % kBits;
+  });
+  return words;
+}
+
 }  // namespace
 
 WalkTopology::WalkTopology(const gpu::Context& context, const TetMesh& mesh, const Adjacency& adjacency)
     : boundaryCount_(static_cast<std::uint32_t>(adjacency.boundary.size())),
       acrossBuffer_(makeAcrossBuffer(context, mesh, adjacency)),
       boundaryBuffer_(gpu::makeBuffer(context, listBoundary(mesh, adjacency), "walk boundary")),
+      windingBuffer_(gpu::makeBuffer(context, windingBits(adjacency), "windings")),
+      acrossView_(context, acrossBuffer_, VK_FORMAT_R32G32_UINT),
+      boundaryView_(context, boundaryBuffer_, VK_FORMAT_R32G32B32A32_UINT),
+      windingView_(context, windingBuffer_, VK_FORMAT_R32_UINT) {}
+
+WalkTopology::WalkTopology(const gpu::Context& context, std::uint32_t cellCount, std::uint32_t boundaryCount)
+    : boundaryCount_(boundaryCount),
+      acrossBuffer_(context, std::uint64_t{32} * cellCount, gpu::MemoryKind::Device, "walk topology of what shows"),
+      boundaryBuffer_(context, std::uint64_t{16} * std::max(boundaryCount, 1u), gpu::MemoryKind::Device,
+                      "boundary of what shows"),
       acrossView_(context, acrossBuffer_, VK_FORMAT_R32G32_UINT),
       boundaryView_(context, boundaryBuffer_, VK_FORMAT_R32G32B32A32_UINT) {}
 
-std::uint64_t WalkTopology::sizeBytes() const { return acrossBuffer_.sizeBytes() + boundaryBuffer_.sizeBytes(); }
+std::uint64_t WalkTopology::sizeBytes() const {
+  return acrossBuffer_.sizeBytes() + boundaryBuffer_.sizeBytes() + windingBuffer_.sizeBytes();
+}
 
 }  // namespace tetralux::render
