@@ -173,9 +173,25 @@ Fan clippedCell(Cell cell, vec3 position[4], bool isNear) {
 // anything off. Beside the cell the clipped segment is empty.
 const float kOutlineMargin = 1.0 / 64.0;
 
+// Pixel centres in a cell's box up to which it is drawn as these: one triangle around them instead of two that are hardly larger.
+const float kFewPixels = 2.0;
+
+// The right-angled triangle around all pixel centres from one on, and no others in its row and column.
+//   first   the lower left one, pixels from the picture's middle
+//   steps   columns and rows to the last
+void drawPixels(inout Fan outline, vec2 first, vec2 steps) {
+  const vec2 corner = first - 0.25;
+  const vec2 legs = 2.0 * steps + 0.75;
+  outline.position[1] = corner / view.pixelsPerUnit;
+  outline.position[2] = vec2(corner.x + legs.x, corner.y) / view.pixelsPerUnit;
+  outline.position[3] = vec2(corner.x, corner.y + legs.y) / view.pixelsPerUnit;
+  outline.position[4] = outline.position[1];
+  outline.triangles = 1u;
+}
+
 // A cell that is drawn as its outline, the fan's ring, and clipped (balanced projection: Moreland and Angel 2004; view-independent
 // projection: Weiler, Kraus, Merz and Ertl 2003). Enlarged about its middle; what is too thin for that, and what is near, is drawn as
-// a rectangle.
+// a rectangle, and what is very small as its pixels.
 Fan outlinedCell(Cell cell, vec3 position[4], Fan fan, bool isNear) {
   Fan outline = clippedCell(cell, position, isNear);
   const bool isQuad = fan.position[4] != fan.position[1];
@@ -188,7 +204,12 @@ Fan outlinedCell(Cell cell, vec3 position[4], Fan fan, bool isNear) {
     if (length2 > 0.0) height = min(height, abs(cross2(edge, middle - fan.position[i])) * inversesqrt(length2));
   }
   const float margin = kOutlineMargin / view.pixelsPerUnit;
-  if (!isNear && fan.triangles > 0u && height < 1e30 && height > margin) {
+  const ScreenBox box = pointsBox(view, position);
+  const vec2 first = ceil(box.low + view.halfSize - (0.5 + kOutlineMargin)) + 0.5 - view.halfSize;
+  const vec2 steps = max(floor(box.high + kOutlineMargin - first), vec2(0.0));
+  if (!isNear && (steps.x + 1.0) * (steps.y + 1.0) <= kFewPixels) {
+    drawPixels(outline, first, steps);
+  } else if (!isNear && fan.triangles > 0u && height < 1e30 && height > margin) {
     for (int i = 0; i < FAN_VERTICES; i++)
       outline.position[i] = middle + (fan.position[i] - middle) * (1.0 + margin / height);
     outline.triangles = isQuad ? 2u : 1u;

@@ -26,5 +26,27 @@ TEST_F(GpuTest, SilhouettesAreFewerTriangles) {
   EXPECT_LT(triangles[1], 0.6 * static_cast<double>(triangles[0]));
 }
 
+// Cells smaller than pixels: one triangle each, whatever their outline, and the same picture.
+TEST_F(GpuTest, SilhouettesOfTinyCellsAreTheirPixels) {
+  const TetMesh mesh = randomDelaunay(6000, 7);
+  const ScalarField field = scalarField(mesh, "", "test");
+  constexpr ImageSize kTiny{14, 10};
+  std::uint64_t triangles = 0;
+  std::uint64_t cells = 0;
+  for (const Camera& camera : test::orderViews(mesh)) {
+    Renderer renderer(context(), mesh, field, withProjection(CellProjection::Silhouette));
+    renderer.setTransferFunction(test::orderTransfer());
+    const FrameStats stats = renderer.draw(camera, kTiny);
+    EXPECT_GE(stats.triangles, stats.drawnCells);
+    triangles += stats.triangles;
+    cells += stats.drawnCells;
+    const ImageDifference d =
+        test::projectionError(context(), mesh, camera, withProjection(CellProjection::Silhouette), "", kTiny);
+    EXPECT_LE(d.rmse, 5e-5);
+    EXPECT_LE(d.max, 1.0 / 255.0);
+  }
+  EXPECT_LT(triangles, 1.3 * static_cast<double>(cells));
+}
+
 }  // namespace
 }  // namespace tetralux::render
