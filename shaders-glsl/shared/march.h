@@ -20,6 +20,10 @@ SHARED_CONST uint MARCH_ROUNDS = 16384;
 SHARED_CONST uint MARCH_CELLS = 1536;
 SHARED_CONST uint MARCH_LAST_ROUND = 65000;  // for the parts of the last cell, which is not left half done
 
+// Rounds of a turn on devices that skip branches which no ray of a subgroup takes: after it, rays that have left the mesh come back
+// in. Processors pay for those branches every time; there a turn ends with the last ray's walk.
+SHARED_CONST uint MARCH_TURN_ROUNDS = 8;
+
 // Pixels of a band: the tiles that one face may cover stay far below the 65535 rounds of a loop.
 SHARED_CONST uint MARCH_BAND_PIXELS = 1u << 20;
 

@@ -39,6 +39,7 @@
 #define SPEC_CHOOSE_TRIANGLE 38      // bool: second run of surface/meet.comp
 #define SPEC_COUNT_WORK 39           // bool: rays that walk count their steps (MarchCounts)
 #define SPEC_DISPATCH_THREADS 40     // uint: threads that share out workgroups in equal runs; 1: whoever is free takes the next
-#define SPEC_LIST_FACES 41           // bool: second run of skip/skip.comp
+#define SPEC_LIST_FACES 41           // bool: second run of skip/enclose.comp
+#define SPEC_TURN_ROUNDS 42          // uint: rounds that a ray out of the mesh waits for others of its subgroup at most
 
 #endif

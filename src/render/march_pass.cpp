@@ -118,6 +118,7 @@ void MarchPass::recordMarch(gpu::CommandBuffer& commands, const FrameInputs& inp
   gpu::SpecConstants constants = variant.specConstants();
   constants.push_back({SPEC_EMISSION_PER_LENGTH, variant.emissionPerLength});
   constants.push_back({SPEC_COUNT_WORK, variant.countWork});
+  constants.push_back({SPEC_TURN_ROUNDS, variant.turnRounds});
   for (const gpu::SpecConstant& constant : variant.integration.specConstants()) constants.push_back(constant);
   gpu::Descriptors bindings{storage.view(),
                             mesh.cells(),

@@ -14,6 +14,7 @@
 #include "render/order/make_order.h"
 #include "render/precision.h"
 #include "render/rounding_probe.h"
+#include "shared/march.h"
 #include "shared/target_output.h"
 
 namespace tetralux::render {
@@ -57,6 +58,8 @@ Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const Scala
       wideAddressing_(options.forceWideAddressing || needsWideAddressing(context.info(), mesh_)),
       checkOrder_(options.checkOrder),
       subpixels_(options.snapVertices.value_or(!context.info().isCpu) ? context.info().subpixels : 0),
+      turnRounds_(options.shortTurns.value_or(!context.info().isCpu) ? shared::MARCH_TURN_ROUNDS
+                                                                     : shared::MARCH_LAST_ROUND),
       hostMeshBytes_(mesh.sizeBytes() + field.values.size() * sizeof(double)),
       tolerance_(options.tolerance),
       doublePrecision_(options.doublePrecision),
@@ -202,6 +205,7 @@ FrameInputs Renderer::inputsOf(const Request& request, const FrameSetup& setup) 
   variant.doublePrecision = usesDoublePrecision(setup);
   // Mesa's software device has as many threads as there are processors, at most 32.
   variant.dispatchThreads = context_.info().isCpu ? std::min(workerCount(), 32u) : 1;
+  variant.turnRounds = turnRounds_;
   variant.countWork = request.options.countWork;
   variant.integration = request.integration;
   variant.output = request.output;

@@ -8,7 +8,8 @@
 //
 // With exact integration, a round of the loop is one part of a cell's segment (include/integration/ray_parts.glsl), most cells have
 // one: a loop over parts within a loop over cells would keep all lanes of a subgroup waiting for the one with most parts. With
-// another method a round is a cell.
+// another method a round is a cell. After a turn of kTurnRounds, rays that have come to a walk's end begin the next one while others go
+// on with theirs.
 //
 // Included by march/march.comp in single, by march/march_precise.comp in double precision (include/real.glsl), and with methods
 // other than exact integration by march/march_methods.comp and march/march_methods_precise.comp.
@@ -66,27 +67,37 @@ void main() {
     color.a = 1.0 - clearness;
   }
   uint rounds = 0;
+  bool isWalking = false;
+  uint nextRank = 0u;
+  Face face;
+  Behind next, at;
+  Place enter, leave;
+  Segment segment;
+  RayParts carried;
+  PartWalk parts;
+  bool isOvertaken = false;
   for (uint walk = 0; walk < kRounds; walk++) {
-    const uint code = pixelRanks[node].y;
-    const uint nextRank = rankOf(pixelLinks[node]);
-    Face face = loadFace(mesh, restsAt, ray, code);
-    Behind next = behindFace(mesh, code);
-    Behind at = next;
-    Place enter = meetFirst(face);
-
-    crossCell(mesh, restsAt, acrossAt, ray, next, face);
-    countCell();
-    Place leave = meetNext(face, enter);
-    Segment segment = cellSegment(ray, at.cell, enter, leave);
-    RayParts carried;
-    PartWalk parts;
-    if (kIsCarried)
-      carried = beginRay(segment.front, segment.back, segment.thickness);
-    else
-      parts = beginParts(segment.front, segment.back, segment.thickness);
+    if (!isWalking) {
+      const uint code = pixelRanks[node].y;
+      nextRank = rankOf(pixelLinks[node]);
+      face = loadFace(mesh, restsAt, ray, code);
+      next = behindFace(mesh, code);
+      at = next;
+      enter = meetFirst(face);
+      crossCell(mesh, restsAt, acrossAt, ray, next, face);
+      countCell();
+      leave = meetNext(face, enter);
+      segment = cellSegment(ray, at.cell, enter, leave);
+      if (kIsCarried)
+        carried = beginRay(segment.front, segment.back, segment.thickness);
+      else
+        parts = beginParts(segment.front, segment.back, segment.thickness);
+      isOvertaken = segment.rank > nextRank;
+      isWalking = true;
+    }
     bool isThrough = false;
-    bool isOvertaken = segment.rank > nextRank;
-    for (uint round = 0; round < MARCH_LAST_ROUND; round++) {
+    bool isPaused = false;
+    for (uint round = 0; round < kTurnRounds; round++) {
       if (isOvertaken) break;
       // Of what lies in front of this part: its own opacity comes too late to be waited for.
       const bool isOpaque = isWalkOpaque(color.a, clearness);
@@ -94,7 +105,8 @@ void main() {
                                      : gather(parts, color.rgb, color.a, clearness);
       rounds++;
       isThrough = (isLast && next.cell == NO_CELL) || isOpaque;
-      if (isThrough || (isLast && rounds >= kRounds)) break;
+      isPaused = isLast && rounds >= kRounds;
+      if (isThrough || isPaused) break;
       if (isLast) {
         at = next;
         enter = leave;
@@ -113,14 +125,16 @@ void main() {
     }
     if (isThrough) {
       node = isWalkOpaque(color.a, clearness) ? NO_NODE : pixelLinks[node];
+      isWalking = false;
     } else if (isOvertaken) {
       // Layers overlap: a segment of another one comes first.
       pixelRanks[node] = uvec2(segment.rank, cellFace(mesh, at.cell, at.vertex));
       node = putBack(node);
-    } else {
+      isWalking = false;
+    } else if (isPaused) {
       pixelRanks[node].y = cellFace(mesh, next.cell, next.vertex);
     }
-    if (node == NO_NODE || rounds >= kRounds) break;
+    if (node == NO_NODE || isPaused || (!isWalking && rounds >= kRounds)) break;
   }
   if (kEmissionPerLength && node != NO_NODE) color.a = -clearness;  // kept with all its digits for the next dispatch
   colors[pixel] = color;

@@ -38,32 +38,42 @@ void main() {
     color.a = 1.0 - clearness;
   }
   uint rounds = 0;
+  bool isWalking = false;
+  uint nextRank = 0u;
+  Face face;
+  Behind next, at;
+  Place enter, leave;
+  VisibleSegment segment;
+  RayParts parts;
+  Attributes enterAttributes, leaveAttributes;
+  ClassifiedWalk classified;
+  bool isOvertaken = false;
   for (uint walk = 0; walk < MARCH_ROUNDS; walk++) {
-    const uint code = pixelRanks[node].y;
-    const uint nextRank = rankOf(pixelLinks[node]);
-    Face face = loadFace(mesh, restsAt, ray, code);
-    Behind next = behindFace(mesh, code);
-    Behind at = next;
-    Place enter = meetFirst(face);
-    Attributes enterAttributes;
-    if (kClassified) enterAttributes = faceAttributes(face);
-
-    crossCell(mesh, restsAt, acrossAt, ray, next, face);
-    countCell();
-    Place leave = meetNext(face, enter);
-    VisibleSegment segment = visibleSegment(mesh, ray, range, at.cell, enter, leave);
-    RayParts parts = beginRay(segment.front, segment.back, segment.thickness);
-    Attributes leaveAttributes;
-    ClassifiedWalk classified;
-    if (kClassified) {
-      leaveAttributes = faceAttributes(face);
-      classified = beginClassified(segment, enterAttributes, leaveAttributes, toEye);
+    if (!isWalking) {
+      const uint code = pixelRanks[node].y;
+      nextRank = rankOf(pixelLinks[node]);
+      face = loadFace(mesh, restsAt, ray, code);
+      next = behindFace(mesh, code);
+      at = next;
+      enter = meetFirst(face);
+      if (kClassified) enterAttributes = faceAttributes(face);
+      crossCell(mesh, restsAt, acrossAt, ray, next, face);
+      countCell();
+      leave = meetNext(face, enter);
+      segment = visibleSegment(mesh, ray, range, at.cell, enter, leave);
+      parts = beginRay(segment.front, segment.back, segment.thickness);
+      if (kClassified) {
+        leaveAttributes = faceAttributes(face);
+        classified = beginClassified(segment, enterAttributes, leaveAttributes, toEye);
+      }
+      isOvertaken = segment.rank > nextRank;
+      isWalking = true;
     }
     bool isThrough = false;
-    bool isOvertaken = segment.rank > nextRank;
+    bool isPaused = false;
     for (uint surfaceRound = 0; surfaceRound < MARCH_LAST_ROUND; surfaceRound++) {
       bool isAtSurface = false;
-      for (uint round = 0; round < MARCH_LAST_ROUND; round++) {
+      for (uint round = 0; round < kTurnRounds; round++) {
         if (isOvertaken) break;
         // Of what lies in front of this part: its own opacity comes too late to be waited for.
         const bool isOpaque = isWalkOpaque(color.a, clearness);
@@ -75,7 +85,8 @@ void main() {
         rounds++;
         isThrough = (isLast && (next.cell == NO_CELL || leave.depth >= range.end)) || isOpaque;
         isAtSurface = kIsosurfaces && parts.surface >= 0.0;
-        if (isThrough || isAtSurface || (isLast && rounds >= MARCH_ROUNDS)) break;
+        isPaused = isLast && rounds >= MARCH_ROUNDS;
+        if (isThrough || isAtSurface || isPaused) break;
         if (isLast) {
           at = next;
           enter = leave;
@@ -110,14 +121,16 @@ void main() {
     }
     if (isThrough) {
       node = isWalkOpaque(color.a, clearness) ? NO_NODE : pixelLinks[node];
+      isWalking = false;
     } else if (isOvertaken) {
       // Layers overlap: a segment of another one comes first.
       pixelRanks[node] = uvec2(segment.rank, cellFace(mesh, at.cell, at.vertex));
       node = putBack(node);
-    } else {
+      isWalking = false;
+    } else if (isPaused) {
       pixelRanks[node].y = cellFace(mesh, next.cell, next.vertex);
     }
-    if (node == NO_NODE || rounds >= MARCH_ROUNDS) break;
+    if (node == NO_NODE || isPaused || (!isWalking && rounds >= MARCH_ROUNDS)) break;
   }
   if (kEmissionPerLength && node != NO_NODE) color.a = -clearness;  // kept with all its digits for the next dispatch
   colors[pixel] = color;

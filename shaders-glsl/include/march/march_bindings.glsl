@@ -10,6 +10,9 @@
 
 layout(local_size_x = MARCH_WORKGROUP) in;
 
+// Rounds that a ray which has left the mesh waits at most for others of its subgroup before it comes back in.
+layout(constant_id = SPEC_TURN_ROUNDS) const uint kTurnRounds = MARCH_LAST_ROUND;
+
 #define MESH_CELLS 1
 #define MESH_VERTICES 2
 #define MESH_CELL_SCALARS 3
