@@ -30,6 +30,8 @@ layout(binding = 6, scalar) buffer TileMarks { uint tileMarks[]; };   // bit 0: 
 layout(binding = 7, scalar) writeonly buffer WalkTiles { uint walkTiles[]; };
 layout(binding = 8, scalar) buffer Counts { MarchCounts counts; };
 
+layout(constant_id = SPEC_JOB_LANES) const uint kJobLanes = 1;  // invocations of enter.comp to a job
+
 layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer FacesAt { uvec4 data[]; };
 layout(push_constant, scalar) uniform Push {
   MeshAddresses mesh;
@@ -96,7 +98,7 @@ float outside(vec2 from, vec2 to, float winding, vec2 center, vec2 halfSize) {
 void addJob(uint face, uint tile, uvec2 first, uvec2 last) {
   const uint job = atomicAdd(counts.jobs, 1u);
   if (job >= jobCapacity) return;
-  if (job % MARCH_WORKGROUP == 0u) atomicAdd(counts.jobGroups, 1u);
+  if (job % (MARCH_WORKGROUP / kJobLanes) == 0u) atomicAdd(counts.jobGroups, 1u);
   // Nodes for all its pixels at once: drawn one by one, they would keep processors waiting for each other.
   const uvec2 size = last - first + 1u;
   const uint node = atomicAdd(counts.nodes, size.x * size.y);

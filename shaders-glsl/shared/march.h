@@ -24,6 +24,9 @@ SHARED_CONST uint MARCH_LAST_ROUND = 65000;  // for the parts of the last cell, 
 // in. Processors pay for those branches every time; there a turn ends with the last ray's walk.
 SHARED_CONST uint MARCH_TURN_ROUNDS = 8;
 
+// Invocations that share a job there: each would have up to 64 pixels for itself. On processors jobs are too small for more than one.
+SHARED_CONST uint MARCH_JOB_LANES = 8;
+
 // Pixels of a band: the tiles that one face may cover stay far below the 65535 rounds of a loop.
 SHARED_CONST uint MARCH_BAND_PIXELS = 1u << 20;
 

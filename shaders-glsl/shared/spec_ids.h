@@ -41,5 +41,6 @@
 #define SPEC_DISPATCH_THREADS 40     // uint: threads that share out workgroups in equal runs; 1: whoever is free takes the next
 #define SPEC_LIST_FACES 41           // bool: second run of skip/enclose.comp
 #define SPEC_TURN_ROUNDS 42          // uint: rounds that a ray out of the mesh waits for others of its subgroup at most
+#define SPEC_JOB_LANES 43            // uint: invocations that share a job of march/enter.comp, a power of two up to MARCH_WORKGROUP
 
 #endif

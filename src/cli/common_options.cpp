@@ -72,7 +72,7 @@ void DeviceOptions::add(CLI::App& app) {
   addTable(app);
   app.add_option("--force-path", forcePath, "For tests: take a code path that this device would not choose")
       ->check(CLI::IsMember({"wide-addressing", "sort-tiles", "sort-chunks", "table-fetch", "snap-vertices",
-                             "walk-single", "walk-double", "skip-empty", "no-skip", "short-turns", "small-memory"}));
+                             "walk-single", "walk-double", "skip-empty", "no-skip", "gpu-rays", "small-memory"}));
 }
 
 void DeviceOptions::addDevice(CLI::App& app) {
@@ -135,7 +135,7 @@ render::RendererOptions DeviceOptions::rendererOptions() const {
   options.forceWideAddressing = forcePath == "wide-addressing";
   if (forcePath == "walk-single" || forcePath == "walk-double") options.doublePrecision = forcePath == "walk-double";
   if (forcePath == "skip-empty" || forcePath == "no-skip") options.skipEmptySpace = forcePath == "skip-empty";
-  if (forcePath == "short-turns") options.shortTurns = true;
+  if (forcePath == "gpu-rays") options.gpuRays = true;
   if (forcePath == "snap-vertices") options.snapVertices = true;
   if (forcePath == "sort-tiles") options.sortVariant = render::SortVariant::Tiles;
   if (forcePath == "sort-chunks") options.sortVariant = render::SortVariant::Chunks;

@@ -69,13 +69,17 @@ void MarchPass::recordEnter(gpu::CommandBuffer& commands, const FrameInputs& inp
   commands.barrier(kTransferWrite, kComputeReadWrite | kIndirectRead);
   const BinPush binPush{mesh.addresses(), topology.boundaryAddress(), band, topology.boundaryCount(),
                         storage.room().jobs};
-  commands.dispatch(bin_.get(variant.specConstants()),
+  const gpu::SpecConstant jobLanes{SPEC_JOB_LANES, variant.jobLanes};
+  gpu::SpecConstants binConstants = variant.specConstants();
+  binConstants.push_back(jobLanes);
+  commands.dispatch(bin_.get(binConstants),
                     {storage.view(), mesh.cells(), mesh.vertices(), mesh.cellScalars(), topology.boundary(),
                      storage.jobs(), storage.tileMarks(), storage.walkTiles(), storage.counts()},
                     binPush, topology.boundaryCount());
   commands.barrier(kComputeWrite, kComputeReadWrite | kIndirectRead);
   gpu::SpecConstants enterConstants = variant.specConstants();
   enterConstants.push_back({SPEC_COUNT_WORK, variant.countWork});
+  enterConstants.push_back(jobLanes);
   const EnterPush enterPush{mesh.addresses(), storage.vertexRestAddress(), topology.boundaryAddress(), band,
                             storage.room().jobs};
   commands.dispatchIndirect(

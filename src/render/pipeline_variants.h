@@ -26,6 +26,7 @@ struct FrameVariant {
   bool countWork = false;             // SPEC_COUNT_WORK; not in specConstants()
   std::uint32_t dispatchThreads = 1;  // SPEC_DISPATCH_THREADS
   std::uint32_t turnRounds = 0;       // SPEC_TURN_ROUNDS; not in specConstants()
+  std::uint32_t jobLanes = 1;         // SPEC_JOB_LANES; likewise
   bool doublePrecision = false;       // of rays that walk; not in specConstants(): shaders of their own
   std::uint32_t subpixels = 0;        // SPEC_SUBPIXELS; not in specConstants()
   std::uint32_t output = 0;           // shared/target_output.h

@@ -58,8 +58,7 @@ Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const Scala
       wideAddressing_(options.forceWideAddressing || needsWideAddressing(context.info(), mesh_)),
       checkOrder_(options.checkOrder),
       subpixels_(options.snapVertices.value_or(!context.info().isCpu) ? context.info().subpixels : 0),
-      turnRounds_(options.shortTurns.value_or(!context.info().isCpu) ? shared::MARCH_TURN_ROUNDS
-                                                                     : shared::MARCH_LAST_ROUND),
+      gpuRays_(options.gpuRays.value_or(!context.info().isCpu)),
       hostMeshBytes_(mesh.sizeBytes() + field.values.size() * sizeof(double)),
       tolerance_(options.tolerance),
       doublePrecision_(options.doublePrecision),
@@ -205,7 +204,8 @@ FrameInputs Renderer::inputsOf(const Request& request, const FrameSetup& setup) 
   variant.doublePrecision = usesDoublePrecision(setup);
   // Mesa's software device has as many threads as there are processors, at most 32.
   variant.dispatchThreads = context_.info().isCpu ? std::min(workerCount(), 32u) : 1;
-  variant.turnRounds = turnRounds_;
+  variant.turnRounds = gpuRays_ ? shared::MARCH_TURN_ROUNDS : shared::MARCH_LAST_ROUND;
+  variant.jobLanes = gpuRays_ ? shared::MARCH_JOB_LANES : 1;
   variant.countWork = request.options.countWork;
   variant.integration = request.integration;
   variant.output = request.output;

@@ -45,9 +45,9 @@ struct RendererOptions {
   // Cut cells that the transfer function leaves empty out of the mesh that rays walk through, or never do (for tests).
   // Nothing: where it pays (empty_space.h).
   std::optional<bool> skipEmptySpace;
-  // Of rays that walk: those that have left the mesh come back in after a few rounds, not when all of their subgroup
-  // have left it. Nothing: on devices that are not processors; else for tests.
-  std::optional<bool> shortTurns;
+  // The work of rays that walk is shared out as GPUs like it: short turns, several invocations to a job
+  // (shared/march.h). Nothing: on devices that are not processors; else for tests.
+  std::optional<bool> gpuRays;
   // Snap vertices of fans to the device's grid and take back what that does to interpolated values. Nothing: on devices
   // that interpolate between snapped vertices, which are taken to be those that are not processors.
   std::optional<bool> snapVertices;
@@ -224,8 +224,8 @@ class Renderer {
   GpuMesh mesh_;
   bool wideAddressing_;
   bool checkOrder_;
-  std::uint32_t subpixels_;   // SPEC_SUBPIXELS
-  std::uint32_t turnRounds_;  // SPEC_TURN_ROUNDS
+  std::uint32_t subpixels_;  // SPEC_SUBPIXELS
+  bool gpuRays_;
   std::uint64_t hostMeshBytes_;
   std::uint64_t hostAdjacencyBytes_ = 0;
   std::optional<double> tolerance_;

@@ -1,5 +1,5 @@
-// Where rays enter the mesh (and, when the eye may be inside it, leave it): a node in the pixel's list. One invocation does a job of
-// bin.comp, a face in a tile.
+// Where rays enter the mesh (and, when the eye may be inside it, leave it): a node in the pixel's list. A job of bin.comp, a face in a
+// tile, is done by kJobLanes invocations, which take its pixels in turn.
 //
 // Included by march/enter.comp in single, by march/enter_precise.comp in double precision (include/real.glsl).
 #include "shared/clipped_cells.h"
@@ -36,6 +36,8 @@ layout(binding = 10, scalar) buffer TileMarks { uint tileMarks[]; };  // bit 1: 
 layout(binding = 12, scalar) writeonly buffer SortTiles { uint sortTiles[]; };
 layout(binding = 13, scalar) buffer Counts { MarchCounts counts; };
 
+layout(constant_id = SPEC_JOB_LANES) const uint kJobLanes = 1;
+
 layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer FacesAt { uvec4 data[]; };
 layout(push_constant, scalar) uniform Push {
   MeshAddresses mesh;
@@ -54,8 +56,8 @@ void addNode(uint node, uint tile, uvec2 place, uint rank, uint code) {
 
 void main() {
   const uint index = dealtIndex();
-  if (index >= min(counts.jobs, jobCapacity)) return;
-  const uvec3 job = texelFetch(jobs, int(index)).xyz;
+  if (index / kJobLanes >= min(counts.jobs, jobCapacity)) return;
+  const uvec3 job = texelFetch(jobs, int(index / kJobLanes)).xyz;
   const uint tile = job.y >> MARCH_JOB_PLACE_BITS;
   const uvec2 origin = tileOrigin(band, tile);
   const uvec2 first = uvec2(job.y & 7u, (job.y >> 3) & 7u);
@@ -68,9 +70,11 @@ void main() {
   const Vertex vertexC = loadWalkVertex(mesh, restsAt, entry.z);
 
   uint entries = 0;
-  uvec2 at = first;
-  for (uint i = 0; i < MARCH_TILE * MARCH_TILE; i++) {
-    const uvec2 place = origin + at;
+  const uint pixels = size.x * size.y;
+  const float rowsPerPixel = 1.0 / float(size.x);
+  for (uint i = index % kJobLanes; i < MARCH_TILE * MARCH_TILE; i += kJobLanes) {
+    const uint row = uint((float(i) + 0.5) * rowsPerPixel);
+    const uvec2 place = origin + first + uvec2(i - row * size.x, row);
     const Ray ray = pixelRay(view, uvec2(place.x, band.firstRow + place.y));
     const Corner a = seenCorner(ray, vertexA);
     const Corner b = seenCorner(ray, vertexB);
@@ -83,13 +87,11 @@ void main() {
     const Meeting there = meeting(face);
     const real depth = there.there.depth;
     const uint rank = depthRank(depth) | (leftAB ? ENTRY_BIT : 0u);
-    if (isMet && there.area != 0.0 && !(kNearCells && depth < ray.eyeDepth)) {
+    if (i < pixels && isMet && there.area != 0.0 && !(kNearCells && depth < ray.eyeDepth)) {
       addNode(job.z + i, tile, place, rank, entry.w);
       entries++;
     }
-    at.x++;
-    if (at.x > last.x) at = uvec2(first.x, at.y + 1u);
-    if (at.y > last.y) break;
+    if (i + kJobLanes >= pixels) break;
   }
   if (kCountWork) atomicAdd(counts.entries, entries);
 }

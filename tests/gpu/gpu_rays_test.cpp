@@ -1,5 +1,5 @@
-// Rays that come back into the mesh while others of their subgroup still walk, as on GPUs: the same pictures, bit by
-// bit, as where all wait for the last.
+// Rays whose work is shared out as GPUs like it (turns in which they come back into the mesh while others of their
+// subgroup still walk, several invocations to a job): the same pictures, bit by bit, as on processors.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,42 +20,42 @@ class PairOfRenderers {
  public:
   PairOfRenderers(const gpu::Context& context, const TetMesh& mesh, RendererOptions options = {})
       : field_(scalarField(mesh, "", "test")),
-        long_(context, mesh, field_, withTurns(options, false)),
-        short_(context, mesh, field_, withTurns(options, true)) {
-    for (Renderer* renderer : {&long_, &short_}) renderer->setTransferFunction(test::orderTransfer());
+        plain_(context, mesh, field_, withRays(options, false)),
+        gpu_(context, mesh, field_, withRays(options, true)) {
+    for (Renderer* renderer : {&plain_, &gpu_}) renderer->setTransferFunction(test::orderTransfer());
   }
 
   void setTransferFunction(const TransferFunction& transfer) {
-    for (Renderer* renderer : {&long_, &short_}) renderer->setTransferFunction(transfer);
+    for (Renderer* renderer : {&plain_, &gpu_}) renderer->setTransferFunction(transfer);
   }
 
   void setAppearance(const Appearance& appearance, const TetMesh& mesh) {
     const AppearanceData data = makeAppearanceData(appearance, mesh, field_, "test");
-    for (Renderer* renderer : {&long_, &short_}) renderer->setAppearance(appearance, data);
+    for (Renderer* renderer : {&plain_, &gpu_}) renderer->setAppearance(appearance, data);
   }
 
   void expectTheSame(const Camera& camera, ImageSize size = test::kOrderSize, const RenderOptions& options = {}) {
-    long_.draw(camera, size, options);
-    short_.draw(camera, size, options);
-    const Image expected = long_.readImage();
-    EXPECT_TRUE(expected.pixels == short_.readImage().pixels);
+    plain_.draw(camera, size, options);
+    gpu_.draw(camera, size, options);
+    const Image expected = plain_.readImage();
+    EXPECT_TRUE(expected.pixels == gpu_.readImage().pixels);
     EXPECT_TRUE(std::any_of(expected.pixels.begin(), expected.pixels.end(),
                             [](const glm::vec4& pixel) { return pixel.a > 0.0f; }));
   }
 
  private:
-  static RendererOptions withTurns(RendererOptions options, bool isShort) {
+  static RendererOptions withRays(RendererOptions options, bool isGpu) {
     options.projection = CellProjection::March;
-    options.shortTurns = isShort;
+    options.gpuRays = isGpu;
     return options;
   }
 
   ScalarField field_;
-  Renderer long_;
-  Renderer short_;
+  Renderer plain_;
+  Renderer gpu_;
 };
 
-TEST_F(GpuTest, ShortTurnsDrawTheSame) {
+TEST_F(GpuTest, GpuRaysDrawTheSame) {
   std::vector<test::NamedMesh> meshes = test::hardMeshes();
   meshes.push_back({"twisted", twistedDelaunay(800, 1, 1.5)});
   for (const auto& [name, mesh] : meshes) {
@@ -65,7 +65,7 @@ TEST_F(GpuTest, ShortTurnsDrawTheSame) {
   }
 }
 
-TEST_F(GpuTest, ShortTurnsDrawTheSameOfEveryKind) {
+TEST_F(GpuTest, GpuRaysDrawTheSameOfEveryKind) {
   const TetMesh mesh = twistedDelaunay(800, 1, 0.7);
   RendererOptions options;
   options.skipEmptySpace = true;
@@ -86,7 +86,7 @@ TEST_F(GpuTest, ShortTurnsDrawTheSameOfEveryKind) {
 }
 
 // Rays of more cells than a dispatch walks through.
-TEST_F(GpuTest, ShortTurnsGoOnInAnotherDispatch) {
+TEST_F(GpuTest, GpuRaysGoOnInAnotherDispatch) {
   const TetMesh mesh = kuhnGrid(1, 1, 8000, glm::dvec3(0), glm::dvec3(1), [](const glm::dvec3&) { return 0.05; });
   Camera camera;
   camera.projection = Projection::Orthographic;
