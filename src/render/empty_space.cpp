@@ -8,6 +8,9 @@ namespace {
 // cutting costs 28 % of the frame, at 36 10 %; from 54 on it gains, at 60 a third, and up to four fifths.
 constexpr std::uint64_t kStepsPerReturn = 45;
 
+// Meshes with more cells per pixel of the picture are drawn once before they are searched.
+constexpr std::uint64_t kCellsPerPixel = 4;
+
 // Less than this share of the cells is not worth a second topology.
 constexpr std::uint64_t kLeastShare = 16;
 
@@ -20,6 +23,8 @@ bool paysToCut(std::uint64_t cells, std::uint64_t faces, std::uint64_t keptCells
   const std::uint64_t returns = keptFaces > faces ? keptFaces - faces : 0;
   return 4 * cut >= kStepsPerReturn * returns;
 }
+
+bool isWorthOnePicture(std::uint64_t cells, std::uint64_t pixels) { return cells <= kCellsPerPixel * pixels; }
 
 void EmptySpace::forget() {
   isFound_ = false;

@@ -16,6 +16,10 @@ namespace tetralux::render {
 //   keptCells, keptFaces   of the cells that are left
 bool paysToCut(std::uint64_t cells, std::uint64_t faces, std::uint64_t keptCells, std::uint64_t keptFaces);
 
+// Whether looking for what is empty may make even a single picture faster: that takes 50 to 90 ns a cell on lavapipe,
+// and saves a few hundred a pixel.
+bool isWorthOnePicture(std::uint64_t cells, std::uint64_t pixels);
+
 class EmptySpace {
  public:
   //   forced   cut out what is empty whether it pays or not, or never (for tests); nothing: where it pays

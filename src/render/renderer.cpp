@@ -229,13 +229,15 @@ bool Renderer::canSkip(const Request& request) const {
 }
 
 void Renderer::skipEmptySpace(const Request& request, FrameStats& stats) {
-  const bool mayChangeSoon = hasDrawn_ && !hasDrawnTransfer_;
+  // What may be the only picture, and what may not be drawn with this transfer function again.
+  const std::uint64_t pixels = std::uint64_t{request.size.width} * request.size.height;
+  const bool waits = !hasDrawnTransfer_ && (hasDrawn_ || !isWorthOnePicture(cellCount(), pixels));
   hasDrawn_ = true;
   hasDrawnTransfer_ = true;
   if (!canSkip(request)) return;
   // Landing may draw again, and come here.
-  if (!mayChangeSoon && !emptySpace_->isFound()) landFlights();
-  if (!mayChangeSoon && !emptySpace_->isFound()) {
+  if (!waits && !emptySpace_->isFound()) landFlights();
+  if (!waits && !emptySpace_->isFound()) {
     gpu::Recorder recorder(context_, request.timing);
     emptySpace_->find(recorder, skipInputs());
     stats.frameMs += recorder.totalMs();

@@ -212,8 +212,9 @@ class Renderer {
   FrameTarget targetOf(const Request& request) const;
   // Whether a frame is the same without the cells that do not show: tables of other methods may blur light into them.
   bool canSkip(const Request& request) const;
-  // Cuts out what the transfer function leaves empty: before the first frame, and before the second with another one,
-  // so that those who try one after the other do not wait for it. Adds what it took to the statistics, as pass "skip".
+  // Cuts out what the transfer function leaves empty: before the first frame, unless there are many more cells than
+  // pixels; else before the second with that transfer function, so that those who draw one picture, or try one transfer
+  // function after the other, do not wait for it. Adds what it took to the statistics, as pass "skip".
   void skipEmptySpace(const Request& request, FrameStats& stats);
   SkipInputs skipInputs() const;
   // Target::Auto: draws a small frame that counts roundings and applies halfFloatHolds() to the worst of its pixels.

@@ -259,6 +259,19 @@ TEST_F(GpuTest, EmptySpaceIsCutOncePerTransferFunction) {
   EXPECT_EQ(renderer.readImage().pixels, first.pixels);
 }
 
+// One picture of a mesh with many more cells than it has pixels does not wait either.
+TEST_F(GpuTest, EmptySpaceOfLargeMeshesIsCutForTheSecondPicture) {
+  const TetMesh mesh = randomDelaunay(3000, 7);
+  const ScalarField field = scalarField(mesh, "", "test");
+  Renderer renderer(context(), mesh, field, walking(true));
+  renderer.setTransferFunction(peak(field));
+  const Camera camera = test::orderViews(mesh)[0];
+  EXPECT_EQ(renderer.draw(camera, {16, 12}).culledTransparent, 0u);
+  const Image whole = renderer.readImage();
+  EXPECT_GT(renderer.draw(camera, {16, 12}).culledTransparent, 1000u);
+  EXPECT_LE(compareImages(whole, renderer.readImage()).rmse, 1e-6);
+}
+
 TEST_F(GpuTest, FramesInFlightAreCutTheSame) {
   const TetMesh mesh = randomDelaunay(3000, 7);
   const ScalarField field = scalarField(mesh, "", "test");
