@@ -1,5 +1,7 @@
 #include "render/empty_space.h"
 
+#include "base/error.h"
+
 namespace tetralux::render {
 namespace {
 
@@ -44,7 +46,11 @@ void EmptySpace::find(gpu::Recorder& recorder, const SkipInputs& inputs) {
   const gpu::MemoryBudget budget = context_.memoryBudget();
   const std::uint64_t needed = WalkTopology::bytesFor(cells, counts.faces);
   if (budget.isReported && needed > budget.availableBytes) return;
-  kept_.emplace(context_, cells, counts.faces);
+  try {
+    kept_.emplace(context_, cells, counts.faces);
+  } catch (const Error&) {
+    return;  // no memory for it, whatever the budget said: rays can do with the whole mesh
+  }
   pass_->recordEnclose(recorder.pass("skip"), inputs, *kept_);
   recorder.sync();
   cutCells_ = cells - counts.cells;

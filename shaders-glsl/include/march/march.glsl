@@ -97,7 +97,8 @@ void main() {
     }
     bool isThrough = false;
     bool isPaused = false;
-    for (uint round = 0; round < kTurnRounds; round++) {
+    const uint turn = walk + 1u < kRounds ? kTurnRounds : MARCH_LAST_ROUND;  // the last one leaves no walk half done
+    for (uint round = 0; round < turn; round++) {
       if (isOvertaken) break;
       // Of what lies in front of this part: its own opacity comes too late to be waited for.
       const bool isOpaque = isWalkOpaque(color.a, clearness);

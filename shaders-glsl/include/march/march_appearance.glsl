@@ -71,9 +71,10 @@ void main() {
     }
     bool isThrough = false;
     bool isPaused = false;
+    const uint turn = walk + 1u < MARCH_ROUNDS ? kTurnRounds : MARCH_LAST_ROUND;  // the last one leaves no walk half done
     for (uint surfaceRound = 0; surfaceRound < MARCH_LAST_ROUND; surfaceRound++) {
       bool isAtSurface = false;
-      for (uint round = 0; round < kTurnRounds; round++) {
+      for (uint round = 0; round < turn; round++) {
         if (isOvertaken) break;
         // Of what lies in front of this part: its own opacity comes too late to be waited for.
         const bool isOpaque = isWalkOpaque(color.a, clearness);
