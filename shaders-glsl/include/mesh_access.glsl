@@ -2,6 +2,8 @@
 // storage buffers), addresses where a mesh is longer than a texel buffer may be.
 //
 // Before including: MESH_CELLS, MESH_VERTICES, MESH_CELL_SCALARS are the binding numbers.
+#include "include/pieces.glsl"
+
 layout(constant_id = SPEC_WIDE_ADDRESSING) const bool kWideAddressing = false;
 layout(constant_id = SPEC_CELL_FIELD) const bool kCellField = false;
 
@@ -10,12 +12,17 @@ layout(binding = MESH_VERTICES) uniform samplerBuffer meshVertices;   // positio
 layout(binding = MESH_CELL_SCALARS) uniform samplerBuffer meshCellScalars;  // used when kCellField
 
 layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer MeshCellsAt { uvec4 data[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer MeshCellPiecesAt {  // gpu/pieced_buffer.h
+  uint bits;
+  uint unused;
+  MeshCellsAt pieces[kMostPieces];
+};
 layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer MeshVerticesAt { vec4 data[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer MeshCellScalarsAt { float data[]; };
 
 // The same as addresses; part of the push constants of every pass that reads the mesh.
 struct MeshAddresses {
-  MeshCellsAt cells;
+  MeshCellPiecesAt cells;
   MeshVerticesAt vertices;
   MeshCellScalarsAt cellScalars;
 };
@@ -26,7 +33,9 @@ struct Cell {
 };
 
 uvec4 loadCellVertices(MeshAddresses mesh, uint cell) {
-  return kWideAddressing ? mesh.cells.data[cell] : texelFetch(meshCells, int(cell));
+  if (!kWideAddressing) return texelFetch(meshCells, int(cell));
+  const uint bits = mesh.cells.bits;
+  return mesh.cells.pieces[cell >> bits].data[cell & ((1u << bits) - 1u)];
 }
 
 vec4 loadVertex(MeshAddresses mesh, uint vertex) {

@@ -15,7 +15,7 @@
 // vertex of it that the face does not have. So a step reads two numbers of the topology and four of the new vertex, one after
 // the other.
 layout(binding = TOPOLOGY_ACROSS) uniform usamplerBuffer topologyAcross;
-layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer AcrossAt { uvec2 data[]; };
+#include "include/across_pieces.glsl"
 
 // What single precision leaves of a vertex' position; used when REAL_IS_DOUBLE.
 layout(binding = MESH_VERTEX_RESTS) uniform samplerBuffer meshVertexRests;
@@ -124,8 +124,8 @@ uint crossCell(MeshAddresses mesh, VertexRestsAt restsAt, AcrossAt acrossAt, Ray
   else
     face.c = p;
   const uint k = uint(face.a.vertex < replaced) + uint(face.b.vertex < replaced) + uint(face.c.vertex < replaced);
-  const uint across = 4u * at.cell + k;
-  const uvec2 next = kWideAddressing ? acrossAt.data[across] : texelFetch(topologyAcross, int(across)).xy;
+  const uvec2 next = kWideAddressing ? acrossPiece(acrossAt, at.cell).data[acrossPlace(acrossAt, at.cell) + k]
+                                     : texelFetch(topologyAcross, int(4u * at.cell + k)).xy;
   at = Behind(next.x, next.y);
   return replaced;
 }

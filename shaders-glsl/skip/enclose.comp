@@ -24,12 +24,11 @@ layout(constant_id = SPEC_LIST_FACES) const bool kListFaces = false;
 layout(binding = 5) uniform usamplerBuffer windings;
 layout(binding = 6, scalar) buffer Counts { SkipCounts counts; };
 
-layout(buffer_reference, scalar, buffer_reference_align = 8) writeonly buffer KeptAcrossAt { uvec2 data[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 16) writeonly buffer FacesAt { uvec4 data[]; };
 layout(push_constant, scalar) uniform Push {
   MeshAddresses mesh;
   AcrossAt acrossAt;
-  KeptAcrossAt keptAcrossAt;
+  AcrossAt keptAcrossAt;
   FacesAt facesAt;  // boundary faces, as in march/bin.comp
   uint cellCount;
 };
@@ -54,7 +53,7 @@ void main() {
       if (isKept && isCut) {
         if (kListFaces) {
           facesAt.data[atomicAdd(counts.faces, 1u)] = outwardFace(cell, k);
-          keptAcrossAt.data[4u * cell + k] = uvec2(NO_CELL, 0u);
+          acrossPiece(keptAcrossAt, cell).data[acrossPlace(keptAcrossAt, cell) + k] = uvec2(NO_CELL, 0u);
         }
         faces++;
       }

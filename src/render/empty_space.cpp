@@ -47,7 +47,7 @@ void EmptySpace::find(gpu::Recorder& recorder, const SkipInputs& inputs) {
   const std::uint64_t needed = WalkTopology::bytesFor(cells, counts.faces);
   if (budget.isReported && needed > budget.availableBytes) return;
   try {
-    kept_.emplace(context_, cells, counts.faces);
+    kept_.emplace(context_, cells, counts.faces, inputs.whole.pieceBits());
   } catch (const Error&) {
     return;  // no memory for it, whatever the budget said: rays can do with the whole mesh
   }

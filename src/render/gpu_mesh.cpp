@@ -28,14 +28,13 @@ gpu::Buffer makeVertexBuffer(const gpu::Context& context, const TetMesh& mesh, c
 }
 
 // Vertices in ascending order: a cell is a set of points, and two cells that share a face then name it alike.
-gpu::Buffer makeCellBuffer(const gpu::Context& context, const TetMesh& mesh) {
-  return gpu::makeBuffer<CellVertices>(context, mesh.cellCount(), "mesh cells",
-                                       [&](std::span<CellVertices> cells, size_t first) {
-                                         parallelFor(cells.size(), kGrain, [&](size_t begin, size_t end, unsigned) {
-                                           for (size_t i = begin; i < end; i++)
-                                             cells[i] = sortedVertices(mesh.cells[first + i]);
-                                         });
-                                       });
+gpu::PiecedBuffer makeCellBuffer(const gpu::Context& context, const TetMesh& mesh, unsigned pieceBits) {
+  return gpu::makePiecedBuffer<CellVertices>(
+      context, mesh.cellCount(), pieceBits, "mesh cells", [&](std::span<CellVertices> cells, size_t first) {
+        parallelFor(cells.size(), kGrain, [&](size_t begin, size_t end, unsigned) {
+          for (size_t i = begin; i < end; i++) cells[i] = sortedVertices(mesh.cells[first + i]);
+        });
+      });
 }
 
 gpu::Buffer makeCellScalarBuffer(const gpu::Context& context, const ScalarField& field, const MeshSpace& space) {
@@ -54,16 +53,16 @@ std::uint32_t checkedCount(size_t count, const char* what) {
 
 }  // namespace
 
-GpuMesh::GpuMesh(const gpu::Context& context, const TetMesh& mesh, const ScalarField& field)
+GpuMesh::GpuMesh(const gpu::Context& context, const TetMesh& mesh, const ScalarField& field, unsigned pieceBits)
     : space_(makeMeshSpace(mesh, field)),
       cellCount_(checkedCount(mesh.cellCount(), "cells")),
       vertexCount_(checkedCount(mesh.pointCount(), "points")),
       isCellField_(field.association == FieldAssociation::Cell),
       vertexBuffer_(makeVertexBuffer(context, mesh, field, space_)),
-      cellBuffer_(makeCellBuffer(context, mesh)),
+      cellBuffer_(makeCellBuffer(context, mesh, pieceBits)),
       cellScalarBuffer_(makeCellScalarBuffer(context, field, space_)),
       vertexView_(context, vertexBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT),
-      cellView_(context, cellBuffer_, VK_FORMAT_R32G32B32A32_UINT),
+      cellView_(context, cellBuffer_.firstPiece(), VK_FORMAT_R32G32B32A32_UINT),
       cellScalarView_(context, cellScalarBuffer_, VK_FORMAT_R32_SFLOAT) {}
 
 std::uint64_t GpuMesh::sizeBytes() const {

@@ -3,13 +3,13 @@
 
 #include <cstdint>
 
-#include "gpu/buffer.h"
+#include "gpu/pieced_buffer.h"
 #include "mesh/tet_mesh.h"
 #include "render/mesh_space.h"
 
 namespace tetralux::render {
 
-// Addresses of the mesh's buffers, as the shaders' MeshAddresses.
+// Addresses of the mesh's buffers, as the shaders' MeshAddresses; cells: of a table of pieces.
 struct MeshAddresses {
   VkDeviceAddress cells;
   VkDeviceAddress vertices;
@@ -21,7 +21,9 @@ struct MeshAddresses {
 class GpuMesh {
  public:
   // Throws Error(Device) when it does not fit the device. The mesh itself is not kept.
-  GpuMesh(const gpu::Context& context, const TetMesh& mesh, const ScalarField& field);
+  //   pieceBits   of the list of cells (gpu/pieced_buffer.h); fewer for tests
+  GpuMesh(const gpu::Context& context, const TetMesh& mesh, const ScalarField& field,
+          unsigned pieceBits = gpu::kPieceBits);
 
   const MeshSpace& space() const { return space_; }
   std::uint32_t cellCount() const { return cellCount_; }
@@ -40,7 +42,7 @@ class GpuMesh {
   std::uint32_t vertexCount_;
   bool isCellField_;
   gpu::Buffer vertexBuffer_;
-  gpu::Buffer cellBuffer_;
+  gpu::PiecedBuffer cellBuffer_;
   gpu::Buffer cellScalarBuffer_;
   gpu::TexelView vertexView_;
   gpu::TexelView cellView_;

@@ -44,9 +44,9 @@ gpu::Buffer makeRestBuffer(const gpu::Context& context, const TetMesh& mesh, con
 }  // namespace
 
 MarchStorage::MarchStorage(const gpu::Context& context, const TetMesh& mesh, const MeshSpace& space,
-                           const Adjacency& adjacency)
+                           const Adjacency& adjacency, unsigned pieceBits)
     : context_(context),
-      topology_(context, mesh, adjacency),
+      topology_(context, mesh, adjacency, pieceBits),
       restBuffer_(makeRestBuffer(context, mesh, space)),
       restView_(context, restBuffer_, VK_FORMAT_R32G32B32A32_SFLOAT),
       view_(context, sizeof(shared::FrameView), MemoryKind::Device, "frame view"),

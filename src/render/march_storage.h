@@ -26,7 +26,9 @@ struct MarchRoom {
 class MarchStorage {
  public:
   //   adjacency   without folds (mesh/cut_folds.h); neither it nor the mesh need outlive the call
-  MarchStorage(const gpu::Context& context, const TetMesh& mesh, const MeshSpace& space, const Adjacency& adjacency);
+  //   pieceBits   of the topology's list of cells; fewer for tests
+  MarchStorage(const gpu::Context& context, const TetMesh& mesh, const MeshSpace& space, const Adjacency& adjacency,
+               unsigned pieceBits = gpu::kPieceBits);
 
   // Room for a picture; nothing when there is enough already. Throws Error(Device).
   //   boundaryCount   faces through which rays may enter

@@ -27,7 +27,15 @@ constexpr std::uint32_t kMeasureStep = 4;
 bool needsWideAddressing(const gpu::DeviceInfo& info, const GpuMesh& mesh) {
   // The march reads the four neighbours of a cell one by one.
   const std::uint64_t longest = std::max(std::uint64_t{4} * mesh.cellCount(), std::uint64_t{mesh.vertexCount()});
-  return longest > info.largestTexelBuffer || std::uint64_t{4} * mesh.cellCount() > info.largestStorageRangeBytes;
+  return longest > info.largestTexelBuffer || mesh.cellCount() > 1u << gpu::kPieceBits ||
+         std::uint64_t{4} * mesh.cellCount() > info.largestStorageRangeBytes;
+}
+
+// Where the addresses are forced, lists have many pieces, too.
+constexpr unsigned kFewPieceBits = 10;
+
+unsigned pieceBits(const RendererOptions& options) {
+  return options.forceWideAddressing ? kFewPieceBits : gpu::kPieceBits;
 }
 
 SortVariant sortVariant(const gpu::Context& context, const RendererOptions& options) {
@@ -54,7 +62,7 @@ ProjectionChoice projectionFor(const RendererOptions& options) {
 Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const ScalarField& field,
                    const RendererOptions& options, std::unique_ptr<MarchPass> warmed)
     : context_(withRoomFor(context, mesh, field, projectionFor(options).projection)),
-      mesh_(context, mesh, field),
+      mesh_(context, mesh, field, pieceBits(options)),
       wideAddressing_(options.forceWideAddressing || needsWideAddressing(context.info(), mesh_)),
       checkOrder_(options.checkOrder),
       subpixels_(options.snapVertices.value_or(!context.info().isCpu) ? context.info().subpixels : 0),
@@ -69,7 +77,7 @@ Renderer::Renderer(const gpu::Context& context, const TetMesh& mesh, const Scala
     Adjacency adjacency = makeAdjacency(mesh);
     cutFolds(mesh, adjacency);
     noteAdjacency(adjacency);
-    marchStorage_ = std::make_unique<MarchStorage>(context, mesh, mesh_.space(), adjacency);
+    marchStorage_ = std::make_unique<MarchStorage>(context, mesh, mesh_.space(), adjacency, pieceBits(options));
     emptySpace_ = std::make_unique<EmptySpace>(context, options.skipEmptySpace);
     return;
   }

@@ -36,7 +36,7 @@ struct RenderOptions {
 
 struct RendererOptions {
   // Reach every buffer by its address, as a mesh beyond the device's descriptor ranges needs. Chosen by itself where it
-  // is needed; forced for tests.
+  // is needed; forced for tests, which then have lists in many pieces (gpu/pieced_buffer.h).
   bool forceWideAddressing = false;
   std::optional<SortVariant> sortVariant;  // nothing: the best for the device
   // Of rays that walk, where the device has it. Nothing: where single precision may show (precision.h); else for tests.

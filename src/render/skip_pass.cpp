@@ -62,7 +62,9 @@ void SkipPass::recordMark(gpu::CommandBuffer& commands, const SkipInputs& inputs
 }
 
 void SkipPass::recordEnclose(gpu::CommandBuffer& commands, const SkipInputs& inputs, const WalkTopology& kept) {
-  commands.copy(inputs.whole.acrossBuffer(), 0, kept.acrossBuffer(), 0, inputs.whole.acrossBuffer().sizeBytes());
+  const std::vector<gpu::Buffer>& from = inputs.whole.acrossBuffer().pieces();
+  const std::vector<gpu::Buffer>& to = kept.acrossBuffer().pieces();
+  for (size_t i = 0; i < from.size(); i++) commands.copy(from[i], 0, to[i], 0, from[i].sizeBytes());
   enclose(commands, inputs, &kept);
   commands.barrier(kComputeWrite, kComputeRead);
 }

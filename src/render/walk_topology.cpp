@@ -21,22 +21,23 @@ std::uint32_t vertexXor(const TetMesh& mesh, std::uint32_t cell) {
 
 using Across = std::array<std::uint32_t, 2>;
 
-gpu::Buffer makeAcrossBuffer(const gpu::Context& context, const TetMesh& mesh, const Adjacency& adjacency) {
+gpu::PiecedBuffer makeAcrossBuffer(const gpu::Context& context, const TetMesh& mesh, const Adjacency& adjacency,
+                                   unsigned pieceBits) {
   using CellAcross = std::array<Across, 4>;
-  return gpu::makeBuffer<CellAcross>(context, mesh.cellCount(), "walk topology",
-                                     [&](std::span<CellAcross> across, size_t first) {
-                                       parallelFor(across.size(), kGrain, [&](size_t begin, size_t end, unsigned) {
-                                         for (size_t i = begin; i < end; i++) {
-                                           const auto cell = static_cast<std::uint32_t>(first + i);
-                                           const CellVertices sorted = sortedVertices(mesh.cells[cell]);
-                                           for (size_t k = 0; k < 4; k++) {
-                                             const std::uint32_t next = adjacency.neighbors[cell][k];
-                                             const std::uint32_t face = vertexXor(mesh, cell) ^ sorted[k];
-                                             across[i][k] = {next, next == kNoCell ? 0 : vertexXor(mesh, next) ^ face};
-                                           }
-                                         }
-                                       });
-                                     });
+  return gpu::makePiecedBuffer<CellAcross>(
+      context, mesh.cellCount(), pieceBits, "walk topology", [&](std::span<CellAcross> across, size_t first) {
+        parallelFor(across.size(), kGrain, [&](size_t begin, size_t end, unsigned) {
+          for (size_t i = begin; i < end; i++) {
+            const auto cell = static_cast<std::uint32_t>(first + i);
+            const CellVertices sorted = sortedVertices(mesh.cells[cell]);
+            for (size_t k = 0; k < 4; k++) {
+              const std::uint32_t next = adjacency.neighbors[cell][k];
+              const std::uint32_t face = vertexXor(mesh, cell) ^ sorted[k];
+              across[i][k] = {next, next == kNoCell ? 0 : vertexXor(mesh, next) ^ face};
+            }
+          }
+        });
+      });
 }
 
 // Four times the cell, plus the place among its vertices in ascending order of the one that the face does not have.
@@ -69,21 +70,25 @@ std::vector<std::uint32_t> windingBits(const Adjacency& adjacency) {
 
 }  // namespace
 
-WalkTopology::WalkTopology(const gpu::Context& context, const TetMesh& mesh, const Adjacency& adjacency)
+WalkTopology::WalkTopology(const gpu::Context& context, const TetMesh& mesh, const Adjacency& adjacency,
+                           unsigned pieceBits)
     : boundaryCount_(static_cast<std::uint32_t>(adjacency.boundary.size())),
-      acrossBuffer_(makeAcrossBuffer(context, mesh, adjacency)),
+      pieceBits_(pieceBits),
+      acrossBuffer_(makeAcrossBuffer(context, mesh, adjacency, pieceBits)),
       boundaryBuffer_(gpu::makeBuffer(context, listBoundary(mesh, adjacency), "walk boundary")),
       windingBuffer_(gpu::makeBuffer(context, windingBits(adjacency), "windings")),
-      acrossView_(context, acrossBuffer_, VK_FORMAT_R32G32_UINT),
+      acrossView_(context, acrossBuffer_.firstPiece(), VK_FORMAT_R32G32_UINT),
       boundaryView_(context, boundaryBuffer_, VK_FORMAT_R32G32B32A32_UINT),
       windingView_(context, windingBuffer_, VK_FORMAT_R32_UINT) {}
 
-WalkTopology::WalkTopology(const gpu::Context& context, std::uint32_t cellCount, std::uint32_t boundaryCount)
+WalkTopology::WalkTopology(const gpu::Context& context, std::uint32_t cellCount, std::uint32_t boundaryCount,
+                           unsigned pieceBits)
     : boundaryCount_(boundaryCount),
-      acrossBuffer_(context, std::uint64_t{32} * cellCount, gpu::MemoryKind::Device, "walk topology of what shows"),
+      pieceBits_(pieceBits),
+      acrossBuffer_(context, cellCount, 32, pieceBits, "walk topology of what shows"),
       boundaryBuffer_(context, std::uint64_t{16} * std::max(boundaryCount, 1u), gpu::MemoryKind::Device,
                       "boundary of what shows"),
-      acrossView_(context, acrossBuffer_, VK_FORMAT_R32G32_UINT),
+      acrossView_(context, acrossBuffer_.firstPiece(), VK_FORMAT_R32G32_UINT),
       boundaryView_(context, boundaryBuffer_, VK_FORMAT_R32G32B32A32_UINT) {}
 
 std::uint64_t WalkTopology::sizeBytes() const {

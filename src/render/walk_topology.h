@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "gpu/buffer.h"
+#include "gpu/pieced_buffer.h"
 #include "mesh/adjacency.h"
 
 namespace tetralux::render {
@@ -13,15 +13,19 @@ class WalkTopology {
  public:
   // Of a whole mesh.
   //   adjacency   without folds (mesh/cut_folds.h); neither it nor the mesh need outlive the call
-  WalkTopology(const gpu::Context& context, const TetMesh& mesh, const Adjacency& adjacency);
+  //   pieceBits   of across() (gpu/pieced_buffer.h); fewer for tests
+  WalkTopology(const gpu::Context& context, const TetMesh& mesh, const Adjacency& adjacency,
+               unsigned pieceBits = gpu::kPieceBits);
   // Room for that of a part of a mesh, which something on the device writes (skip_pass.h).
   //   cellCount   of the whole mesh: cells keep their numbers
-  WalkTopology(const gpu::Context& context, std::uint32_t cellCount, std::uint32_t boundaryCount);
+  WalkTopology(const gpu::Context& context, std::uint32_t cellCount, std::uint32_t boundaryCount,
+               unsigned pieceBits = gpu::kPieceBits);
 
   // Two uint per face of a cell, faces numbered as in Adjacency: the cell across it, or kNoCell, and that cell's vertex
-  // opposite.
+  // opposite. The address is that of a table of pieces of whole cells.
   const gpu::TexelView& across() const { return acrossView_; }
-  const gpu::Buffer& acrossBuffer() const { return acrossBuffer_; }
+  const gpu::PiecedBuffer& acrossBuffer() const { return acrossBuffer_; }
+  unsigned pieceBits() const { return pieceBits_; }
   VkDeviceAddress acrossAddress() const { return acrossBuffer_.address(); }
 
   // Boundary faces: three vertices, (b - a) x (c - a) points outwards, and which face of which cell it is
@@ -43,7 +47,8 @@ class WalkTopology {
 
  private:
   std::uint32_t boundaryCount_;
-  gpu::Buffer acrossBuffer_;
+  unsigned pieceBits_;
+  gpu::PiecedBuffer acrossBuffer_;
   gpu::Buffer boundaryBuffer_;
   gpu::Buffer windingBuffer_;
   gpu::TexelView acrossView_;

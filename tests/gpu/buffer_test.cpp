@@ -7,6 +7,7 @@
 
 #include "gpu/image.h"
 #include "gpu/packed_tables.h"
+#include "gpu/pieced_buffer.h"
 #include "gpu_fixture.h"
 #include "support/expect_error.h"
 
@@ -25,6 +26,23 @@ TEST_F(GpuTest, BufferHoldsWhatIsUploaded) {
   const std::uint32_t nine = 9;
   upload(context(), buffer, &nine, 4, 4 * 5000);
   EXPECT_EQ(downloadVector<std::uint32_t>(context(), buffer, values.size())[5000], 9u);
+}
+
+TEST_F(GpuTest, PiecesHoldAllElementsInOrder) {
+  for (const std::uint64_t count : {0u, 1u, 4095u, 4096u, 4097u, 100003u}) {
+    const PiecedBuffer buffer = makePiecedBuffer<std::uint32_t>(
+        context(), count, 12, "test", [](std::span<std::uint32_t> numbers, std::uint64_t first) {
+          std::iota(numbers.begin(), numbers.end(), static_cast<std::uint32_t>(first));
+        });
+    ASSERT_EQ(buffer.pieces().size(), std::max<std::uint64_t>((count + 4095) / 4096, 1));
+    std::uint32_t next = 0;
+    for (const Buffer& piece : buffer.pieces()) {
+      const std::uint64_t here = std::min<std::uint64_t>(4096, count - next);
+      for (const std::uint32_t number : downloadVector<std::uint32_t>(context(), piece, here))
+        EXPECT_EQ(number, next++);
+    }
+    EXPECT_EQ(next, count);
+  }
 }
 
 TEST_F(GpuTest, EmptyBufferIsAllowed) {

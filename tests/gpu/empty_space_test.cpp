@@ -46,7 +46,11 @@ struct HostTopology {
 
 HostTopology topologyOn(const gpu::Context& context, const WalkTopology& topology, std::uint32_t cells) {
   HostTopology host;
-  host.across = gpu::downloadVector<std::array<std::uint32_t, 2>>(context, topology.acrossBuffer(), 4 * size_t{cells});
+  for (const gpu::Buffer& piece : topology.acrossBuffer().pieces()) {
+    const auto part = gpu::downloadVector<std::array<std::uint32_t, 2>>(context, piece, piece.sizeBytes() / 8);
+    host.across.insert(host.across.end(), part.begin(), part.end());
+  }
+  EXPECT_EQ(host.across.size(), 4 * size_t{cells});
   for (const auto& face :
        gpu::downloadVector<std::array<std::uint32_t, 4>>(context, topology.boundaryBuffer(), topology.boundaryCount()))
     host.faces.insert(face);
@@ -57,9 +61,10 @@ HostTopology topologyOn(const gpu::Context& context, const WalkTopology& topolog
 HostTopology cutByDevice(const gpu::Context& context, const TetMesh& mesh, const Adjacency& adjacency,
                          const TransferFunction& transfer, bool wideAddressing = false) {
   const ScalarField field = scalarField(mesh, "", "test");
-  const GpuMesh gpuMesh(context, mesh, field);
+  const unsigned pieceBits = wideAddressing ? 8 : gpu::kPieceBits;
+  const GpuMesh gpuMesh(context, mesh, field, pieceBits);
   const TransferBuffer buffer(context, transfer, gpuMesh.space());
-  const WalkTopology whole(context, mesh, adjacency);
+  const WalkTopology whole(context, mesh, adjacency, pieceBits);
   EmptySpace emptySpace(context, /*forced=*/true);
   gpu::Recorder recorder(context, gpu::PassTiming::Off);
   emptySpace.find(recorder, {gpuMesh, whole, buffer.support(), buffer.supportCount(), false, wideAddressing});
