@@ -31,7 +31,8 @@ class MarchStorage {
                unsigned pieceBits = gpu::kPieceBits);
 
   // Room for a picture; nothing when there is enough already. Throws Error(Device).
-  //   boundaryCount   faces through which rays may enter
+  //   boundaryCount   faces through which rays may enter; for a new size, where more turn out to be needed grow() sees
+  //                   to it
   void prepare(ImageSize size, std::uint32_t boundaryCount);
 
   // The band that begins with a row.
